@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: MIT */
+/* The one C++ file: converts units and axes, catches everything, keeps models in opaque handles. */
+#include "core/geographic.h"
+
+#include <GeographicLib/Geocentric.hpp>
+#include <GeographicLib/Geodesic.hpp>
+#include <GeographicLib/GravityModel.hpp>
+#include <GeographicLib/NormalGravity.hpp>
+
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <new>
+#include <string>
+
+using GeographicLib::Geocentric;
+using GeographicLib::Geodesic;
+using GeographicLib::GravityModel;
+using GeographicLib::NormalGravity;
+
+namespace
+{
+constexpr double deg_per_rad = 180.0 / SCHULER_PI;
+constexpr double rad_per_deg = SCHULER_PI / 180.0;
+
+/* A data set's name becomes part of a file name, so nothing that could leave the folder is let in.
+ */
+bool is_plain_name(const char *name)
+{
+    if (*name == '\0' || std::strlen(name) > 64) return false;
+    for (const char *c = name; *c != '\0'; c++)
+        if (!std::isalnum(static_cast<unsigned char>(*c)) && *c != '-' && *c != '_') return false;
+    return true;
+}
+
+schuler_status fail_data(schuler_error *err, const char *name, const char *reason)
+{
+    return schuler_fail(
+        err, SCHULER_ERR_GRAVITY_DATA, nullptr,
+        "gravity model '%.64s': %.120s; built in are wgs84 and grs80, others are data sets: "
+        "install with geographiclib-get-gravity (for example egm96), or set "
+        "GEOGRAPHICLIB_GRAVITY_PATH to their folder",
+        name, reason);
+}
+} // namespace
+
+struct schuler_field {
+    const NormalGravity *normal = nullptr; /* GeographicLib's own, or the one inside model */
+    std::unique_ptr<GravityModel> model;   /* egm names only */
+};
+
+extern "C" {
+
+schuler_vec3 schuler_ecef_from_llh(schuler_llh p)
+{
+    schuler_vec3 r_e = { { 0.0, 0.0, 0.0 } };
+    Geocentric::WGS84().Forward(p.lat_rad * deg_per_rad, p.lon_rad * deg_per_rad, p.h_m, r_e.v[0],
+                                r_e.v[1], r_e.v[2]);
+    return r_e;
+}
+
+schuler_llh schuler_llh_from_ecef(schuler_vec3 r_e)
+{
+    double lat_deg = 0.0, lon_deg = 0.0, h_m = 0.0;
+    Geocentric::WGS84().Reverse(r_e.v[0], r_e.v[1], r_e.v[2], lat_deg, lon_deg, h_m);
+    return { lat_deg * rad_per_deg, lon_deg * rad_per_deg, h_m };
+}
+
+void schuler_geodesic_inverse(double lat1_rad, double lon1_rad, double lat2_rad, double lon2_rad,
+                              double *s12_m, double *azi1_rad, double *azi2_rad)
+{
+    double azi1_deg = 0.0, azi2_deg = 0.0;
+    Geodesic::WGS84().Inverse(lat1_rad * deg_per_rad, lon1_rad * deg_per_rad,
+                              lat2_rad * deg_per_rad, lon2_rad * deg_per_rad, *s12_m, azi1_deg,
+                              azi2_deg);
+    *azi1_rad = azi1_deg * rad_per_deg;
+    *azi2_rad = azi2_deg * rad_per_deg;
+}
+
+void schuler_geodesic_direct(double lat1_rad, double lon1_rad, double azi1_rad, double s12_m,
+                             double *lat2_rad, double *lon2_rad, double *azi2_rad)
+{
+    double lat2_deg = 0.0, lon2_deg = 0.0, azi2_deg = 0.0;
+    Geodesic::WGS84().Direct(lat1_rad * deg_per_rad, lon1_rad * deg_per_rad, azi1_rad * deg_per_rad,
+                             s12_m, lat2_deg, lon2_deg, azi2_deg);
+    *lat2_rad = lat2_deg * rad_per_deg;
+    *lon2_rad = lon2_deg * rad_per_deg;
+    *azi2_rad = azi2_deg * rad_per_deg;
+}
+
+schuler_status schuler_field_open(schuler_field_model **out, const char *name, schuler_error *err)
+try {
+    auto field = std::make_unique<schuler_field>();
+    if (std::strcmp(name, "wgs84") == 0) {
+        field->normal = &NormalGravity::WGS84();
+    } else if (std::strcmp(name, "grs80") == 0) {
+        field->normal = &NormalGravity::GRS80();
+    } else if (!is_plain_name(name)) {
+        return fail_data(err, name, "a name has only letters, digits, '-' and '_'");
+    } else {
+        field->model = std::make_unique<GravityModel>(name);
+        field->normal = &field->model->ReferenceEllipsoid();
+    }
+    *out = field.release();
+    return SCHULER_OK;
+} catch (const std::bad_alloc &) {
+    return schuler_fail(err, SCHULER_ERR_MEMORY, nullptr, "out of memory for gravity model '%s'",
+                        name);
+} catch (const std::exception &e) {
+    return fail_data(err, name, e.what());
+} catch (...) {
+    return fail_data(err, name, "cannot be loaded");
+}
+
+void schuler_field_close(schuler_field_model *field)
+{
+    delete field;
+}
+
+schuler_vec3 schuler_field_normal_gravitation(const schuler_field_model *field, schuler_vec3 r_e)
+{
+    schuler_vec3 g_e = { { 0.0, 0.0, 0.0 } };
+    field->normal->V0(r_e.v[0], r_e.v[1], r_e.v[2], g_e.v[0], g_e.v[1], g_e.v[2]);
+    return g_e;
+}
+
+schuler_vec3 schuler_field_gravity(const schuler_field_model *field, schuler_vec3 r_e)
+{
+    schuler_vec3 g_e = { { 0.0, 0.0, 0.0 } };
+    if (field->model)
+        field->model->W(r_e.v[0], r_e.v[1], r_e.v[2], g_e.v[0], g_e.v[1], g_e.v[2]);
+    else
+        field->normal->U(r_e.v[0], r_e.v[1], r_e.v[2], g_e.v[0], g_e.v[1], g_e.v[2]);
+    return g_e;
+}
+
+int schuler_field_has_disturbance(const schuler_field_model *field)
+{
+    return field->model != nullptr;
+}
+
+double schuler_field_earth_rate(const schuler_field_model *field)
+{
+    return field->normal->AngularVelocity();
+}
+}

@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: MIT */
+#include "core/profile.h"
+#include <math.h>
+
+double schuler_tick(double t_s)
+{
+    return floor(t_s * SCHULER_TICKS_PER_S + 0.5) / SCHULER_TICKS_PER_S;
+}
+
+schuler_trapezoid schuler_trapezoid_make(double change, double rate_limit, double ramp_s)
+{
+    if (change == 0.0) return (schuler_trapezoid){ 0 };
+    schuler_trapezoid z = { .change = change };
+    /* A millisecond at least: a ramp of no length would be a jump. */
+    z.ramp_s = schuler_tick(fmax(ramp_s, 1e-3));
+    z.plateau_s = schuler_tick(fmax(fabs(change) / rate_limit - z.ramp_s, 0.0));
+    z.rate = change / (z.ramp_s + z.plateau_s);
+    return z;
+}
+
+double schuler_trapezoid_duration(const schuler_trapezoid *z)
+{
+    return 2.0 * z->ramp_s + z->plateau_s;
+}
+
+static long double smoothstep(long double x)
+{
+    return x * x * x * (10.0L - x * (15.0L - x * 6.0L));
+}
+
+/* From 0 to x; half at x = 1. */
+static long double smoothstep_integral(long double x)
+{
+    return x * x * x * x * (2.5L - x * (3.0L - x));
+}
+
+long double schuler_trapezoid_value(const schuler_trapezoid *z, long double t_s)
+{
+    const long double rest_s = schuler_trapezoid_duration(z) - t_s;
+    if (t_s <= 0.0L) return 0.0L;
+    if (rest_s <= 0.0L) return z->change;
+    const long double rate = z->rate, ramp_s = z->ramp_s;
+    if (t_s < ramp_s) return rate * ramp_s * smoothstep_integral(t_s / ramp_s);
+    if (rest_s < ramp_s) return z->change - rate * ramp_s * smoothstep_integral(rest_s / ramp_s);
+    return rate * (t_s - 0.5L * ramp_s);
+}
+
+long double schuler_trapezoid_rate(const schuler_trapezoid *z, long double t_s)
+{
+    const long double rest_s = schuler_trapezoid_duration(z) - t_s;
+    if (t_s <= 0.0L || rest_s <= 0.0L) return 0.0L;
+    if (t_s < z->ramp_s) return z->rate * smoothstep(t_s / z->ramp_s);
+    if (rest_s < z->ramp_s) return z->rate * smoothstep(rest_s / z->ramp_s);
+    return z->rate;
+}
+
+long double schuler_channel_value(const schuler_channel *c, long double t_s)
+{
+    return c->from + schuler_trapezoid_value(&c->trapezoid, t_s - c->start_s);
+}
+
+long double schuler_channel_rate(const schuler_channel *c, long double t_s)
+{
+    return schuler_trapezoid_rate(&c->trapezoid, t_s - c->start_s);
+}
+
+double schuler_channel_end(const schuler_channel *c)
+{
+    return c->from + c->trapezoid.change;
+}
+
+int schuler_phase_joints(const schuler_phase *phase, double joints_s[SCHULER_PHASE_JOINTS])
+{
+    const schuler_channel *const channels[3] = { &phase->speed, &phase->height, &phase->heading };
+    int count = 0;
+    joints_s[count++] = 0.0;
+    joints_s[count++] = phase->duration_s;
+    for (int i = 0; i < 3; i++) {
+        const schuler_trapezoid *const z = &channels[i]->trapezoid;
+        if (z->change == 0.0) continue;
+        const double start_s = channels[i]->start_s;
+        joints_s[count++] = start_s;
+        joints_s[count++] = start_s + z->ramp_s;
+        joints_s[count++] = start_s + z->ramp_s + z->plateau_s;
+        joints_s[count++] = start_s + schuler_trapezoid_duration(z);
+    }
+    for (int i = 1; i < count; i++) /* insertion sort */
+        for (int j = i; j > 0 && joints_s[j] < joints_s[j - 1]; j--) {
+            const double swap = joints_s[j];
+            joints_s[j] = joints_s[j - 1];
+            joints_s[j - 1] = swap;
+        }
+    int distinct = 1;
+    for (int i = 1; i < count; i++)
+        if (joints_s[i] > joints_s[distinct - 1]) joints_s[distinct++] = joints_s[i];
+    return distinct;
+}

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/* How speed, height and heading change in time: smooth trapezoids, all closed forms. Private to
+ * core.
+ *
+ * The rate of a change rises along the smoothstep 10 x^3 - 15 x^4 + 6 x^5 (first and second
+ * derivative zero at both ends), holds, and falls the same way. A change too small for the plateau
+ * gets a lower plateau and keeps the ramps. Durations are whole ticks, so that sums of them are
+ * exact in double and a joint of two pieces is the same instant for both; the rate takes up the
+ * rounding, so that every change is reached exactly. */
+#ifndef SCHULER_CORE_PROFILE_H
+#define SCHULER_CORE_PROFILE_H
+
+/* 2^-30 s: sums stay exact in double up to 97 days. */
+#define SCHULER_TICKS_PER_S 1073741824.0
+/* Largest slope of the smoothstep: the peak derivative of a ramp from 0 to R in T is 1.875 R/T. */
+#define SCHULER_SMOOTHSTEP_SLOPE 1.875
+
+/** Nearest whole number of ticks, s. */
+double schuler_tick(double t_s);
+
+typedef struct {
+    double change; /* in all                            */
+    double rate;   /* of the plateau, per second; signed */
+    double ramp_s, plateau_s;
+} schuler_trapezoid;
+
+/** The quickest trapezoid of a change whose rate stays within rate_limit (> 0), with ramps of
+ * ramp_s. A zero change takes no time. */
+schuler_trapezoid schuler_trapezoid_make(double change, double rate_limit, double ramp_s);
+double schuler_trapezoid_duration(const schuler_trapezoid *z);
+/** Change so far, and rate, at t after the start; constant outside. */
+long double schuler_trapezoid_value(const schuler_trapezoid *z, long double t_s);
+long double schuler_trapezoid_rate(const schuler_trapezoid *z, long double t_s);
+
+/* One quantity in a phase of the motion: its value at the start and one change. */
+typedef struct {
+    double from;
+    double start_s; /* of the change, after the start of the phase */
+    schuler_trapezoid trapezoid;
+} schuler_channel;
+
+long double schuler_channel_value(const schuler_channel *c, long double t_s);
+long double schuler_channel_rate(const schuler_channel *c, long double t_s);
+/** Value after the change. */
+double schuler_channel_end(const schuler_channel *c);
+
+/* A stretch of motion. */
+typedef struct {
+    double duration_s;
+    schuler_channel speed;   /* over ground at altitude, m/s           */
+    schuler_channel height;  /* ellipsoidal, m                         */
+    schuler_channel heading; /* of the horizontal velocity, rad; right = positive */
+    int banked;              /* 1: turns are coordinated; 0: flat      */
+} schuler_phase;
+
+enum { SCHULER_PHASE_JOINTS = 14 };
+/** The instants between which a phase is one analytic function: 0, ..., duration; ascending,
+ * distinct. Returned   joints_s;  the function's value is how many (2 or more) */
+int schuler_phase_joints(const schuler_phase *phase, double joints_s[SCHULER_PHASE_JOINTS]);
+
+#endif

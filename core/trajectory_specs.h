@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/* What each kind of trajectory reads from its keys. Angles rad, lengths m, times s. NAN = not
+ * given. */
+#ifndef SCHULER_CORE_TRAJECTORY_SPECS_H
+#define SCHULER_CORE_TRAJECTORY_SPECS_H
+
+#include "core/trajectory.h"
+
+SCHULER_BEGIN_C
+
+/* kind static */
+typedef struct {
+    schuler_place place;
+    schuler_start start; /* no speed */
+    double for_s;
+} schuler_static_spec;
+
+/* kind segments: a list of the variants below */
+typedef struct {
+    schuler_place place;
+    schuler_start start; /* no roll, no pitch */
+    schuler_variant_list segments;
+} schuler_segments_spec;
+
+typedef struct {
+    schuler_place place;
+    double for_s;
+} schuler_hold_spec; /* hold, cruise */
+
+typedef struct {
+    schuler_place place;
+    double to_mps, at_mps2, jerk_mps3;
+} schuler_accelerate_spec;
+
+typedef struct {
+    schuler_place place;
+    double to_m, at_mps, acceleration_mps2;
+} schuler_climb_spec;
+
+typedef struct {
+    schuler_place place;
+    double by_rad, bank_rad, roll_rate_radps;
+} schuler_turn_spec;
+
+extern const schuler_object schuler_segment_hold, schuler_segment_cruise,
+    schuler_segment_accelerate, schuler_segment_climb, schuler_segment_turn;
+
+/* kind route */
+
+/* How the vehicle manoeuvres; in a waypoint NAN means "as in defaults". */
+typedef struct {
+    schuler_place place;
+    double bank_rad, roll_rate_radps, radius_m; /* radius: flat turn instead of a banked one */
+    double climb_mps, descent_mps, vertical_acceleration_mps2;
+    double acceleration_mps2, deceleration_mps2, jerk_mps3;
+} schuler_manner;
+
+typedef struct {
+    schuler_place place;
+    const char *name; /* or NULL */
+    double lat_rad, lon_rad, h_m, speed_mps;
+    double wait_s;
+    schuler_manner manner; /* keys stand in the waypoint itself */
+} schuler_waypoint_spec;
+
+typedef struct {
+    schuler_place place;
+    schuler_manner defaults;
+    schuler_list waypoints; /* of schuler_waypoint_spec */
+} schuler_route_spec;
+
+SCHULER_END_C
+
+#endif
