@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+#include "mechanization/mechanization.h"
+#include "mechanization/mechanization_table.h"
+#include <string.h>
+
+const schuler_mechanization *const *schuler_mechanizations(schuler_isa isa)
+{
+    const char *const wanted = schuler_isa_name(isa);
+#define X(name)                                                                                    \
+    if (strcmp(wanted, #name) == 0) return schuler_frame_table_##name;
+#include "schuler_isas.def"
+#undef X
+    return schuler_frame_table_scalar;
+}
+
+int schuler_mechanization_find(const char *name)
+{
+    const schuler_mechanization *const *const frames = schuler_mechanizations(SCHULER_ISA_SCALAR);
+    for (int i = 0; frames[i]; i++)
+        if (strcmp(frames[i]->name, name) == 0) return i;
+    return -1;
+}
