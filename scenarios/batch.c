@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: MIT */
+#include "scenarios/batch.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum { LANES_MAX = 8, STATE_ALIGN = 64 };
+
+static int by_kind(const void *a, const void *b)
+{
+    const batch_lane *x = a, *y = b;
+    if (x->normals != y->normals) return x->normals < y->normals ? -1 : 1;
+    return (x->result > y->result) - (x->result < y->result);
+}
+
+static int list_lanes(lane_batch_state *b, const lane_batch *work)
+{
+    const simulation_plan *p = b->plan;
+    b->count = work->lanes;
+    b->group_count = (b->count + b->width - 1) / b->width;
+    b->lanes = calloc((size_t)b->count, sizeof(*b->lanes));
+    if (!b->lanes) return 0;
+    int n = 0;
+    for (size_t c = 0; c < work->chunks; c++) {
+        const lane_chunk *chunk = &p->chunks[work->first_chunk + c];
+        int normals = 0;
+        for (int i = 0; i < p->count; i++)
+            if (plan_enabled(p, chunk->row, i)) normals += p->sources[i].normals;
+        for (int k = 0; k < chunk->runs; k++, n++)
+            b->lanes[n] = (batch_lane){ (int)c, chunk->row, chunk->first_run + k, normals, n };
+    }
+    qsort(b->lanes, (size_t)b->count, sizeof(*b->lanes), by_kind);
+    return 1;
+}
+
+static size_t padded(size_t size)
+{
+    return (size + STATE_ALIGN - 1) / STATE_ALIGN * STATE_ALIGN;
+}
+
+static int allocate(lane_batch_state *b)
+{
+    const size_t sizes[3] = { padded(b->model[SCHULER_ACCEL]->state_size),
+                              padded(b->model[SCHULER_GYRO]->state_size),
+                              padded(b->frame->state_size) };
+    const size_t each = sizes[0] + sizes[1] + sizes[2];
+    const size_t samples = (size_t)3 * SCHULER_BLOCK * LANES_MAX * sizeof(double);
+    b->groups = calloc((size_t)b->group_count, sizeof(*b->groups));
+    b->memory = aligned_alloc(STATE_ALIGN, each * (size_t)b->group_count + 2 * samples);
+    if (!b->groups || !b->memory) return 0;
+    for (int g = 0; g < b->group_count; g++) {
+        char *at = b->memory + 2 * samples + each * (size_t)g;
+        b->groups[g].triad[SCHULER_ACCEL] = at;
+        b->groups[g].triad[SCHULER_GYRO] = at + sizes[0];
+        b->groups[g].nav = at + sizes[0] + sizes[1];
+    }
+    b->measured[SCHULER_ACCEL] = (double *)(void *)b->memory;
+    b->measured[SCHULER_GYRO] = (double *)(void *)(b->memory + samples);
+    return 1;
+}
+
+/* Lane `place` of group g; a place beyond the last lane repeats it, and is never looked at. */
+static const batch_lane *lane_at(const lane_batch_state *b, int g, int place)
+{
+    const int i = g * b->width + place;
+    return &b->lanes[i < b->count ? i : b->count - 1];
+}
+
+static void fill_spec(const lane_batch_state *b, const batch_lane *l, schuler_instrument instrument,
+                      schuler_lane_spec *spec)
+{
+    const simulation_plan *p = b->plan;
+    const schuler_param *params = b->model[instrument]->params[instrument];
+    *spec = (schuler_lane_spec){ .run = (uint64_t)l->run };
+    for (int k = 0; params[k].key; k++) {
+        if (params[k].number != 0) continue;
+        const schuler_value *v = &p->scenario->imu.triad[instrument].values[k];
+        for (int c = 0; c < params[k].components; c++)
+            spec->value[k][c] = v->given ? v->a[c] : params[k].def;
+    }
+    for (int i = 0; i < p->count; i++) {
+        const error_source *s = &p->sources[i];
+        if (s->kind != SOURCE_SENSOR || s->instrument != instrument || !plan_enabled(p, l->row, i))
+            continue;
+        for (int c = 0; c < s->components; c++)
+            spec->value[s->param][c] =
+                schuler_source_draw(s, c, p->scenario->seed, (uint64_t)l->run);
+    }
+}
+
+/* The true start with this lane's initial errors on it. */
+static schuler_nav_state start_of(const simulation_plan *p, const batch_lane *l,
+                                  const schuler_truth_state *truth, double *knows_dg)
+{
+    schuler_vec3 dr_n = { { 0 } }, dv_n = { { 0 } }, phi_n = { { 0 } };
+    *knows_dg = 1.0;
+    for (int i = 0; i < p->count; i++) {
+        const error_source *s = &p->sources[i];
+        if (!plan_enabled(p, l->row, i) || s->kind == SOURCE_SENSOR) continue;
+        double x[3] = { 0 };
+        for (int c = 0; c < s->components; c++)
+            x[c] = schuler_source_draw(s, c, p->scenario->seed, (uint64_t)l->run);
+        switch (s->kind) {
+        case SOURCE_POSITION:
+            memcpy(dr_n.v, x, sizeof(x));
+            break;
+        case SOURCE_VELOCITY:
+            memcpy(dv_n.v, x, sizeof(x));
+            break;
+        case SOURCE_TILT:
+            phi_n.v[0] = x[0], phi_n.v[1] = x[1];
+            break;
+        case SOURCE_HEADING:
+            phi_n.v[2] = -x[0];
+            break; /* computed minus true heading = -phi_D */
+        case SOURCE_GRAVITY:
+            *knows_dg = 0.0;
+            break;
+        case SOURCE_SENSOR:
+            break;
+        }
+    }
+    /* C_b_n computed = (I - [phi x]) C_b_n: a turn of the whole by -phi. */
+    const schuler_vec3 turn_e = schuler_mat3_apply(&truth->C_n_e, schuler_vec3_scale(-1.0, phi_n));
+    return (schuler_nav_state){
+        .r_e = schuler_vec3_add(truth->r_e, schuler_mat3_apply(&truth->C_n_e, dr_n)),
+        .v_e = schuler_vec3_add(truth->v_e, schuler_mat3_apply(&truth->C_n_e, dv_n)),
+        .q_b_e = schuler_quat_mul(schuler_quat_from_rotvec(turn_e), truth->q_b_e),
+    };
+}
+
+static void set_up_group(const lane_batch_state *b, int g, const schuler_truth_state *truth,
+                         const schuler_truth_block *before)
+{
+    const schuler_scenario *s = b->plan->scenario;
+    const double dt_s = schuler_truth_dt(b->plan->truth);
+    schuler_nav_state start[LANES_MAX];
+    double knows_dg[LANES_MAX];
+    for (int k = 0; k < b->width; k++)
+        start[k] = start_of(b->plan, lane_at(b, g, k), truth, &knows_dg[k]);
+    for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
+        schuler_lane_spec specs[LANES_MAX];
+        for (int k = 0; k < b->width; k++)
+            fill_spec(b, lane_at(b, g, k), (schuler_instrument)i, &specs[k]);
+        const schuler_model_setup setup = { (schuler_instrument)i, s->seed, dt_s, b->width, specs };
+        b->model[i]->setup(b->groups[g].triad[i], &setup);
+    }
+    schuler_nav_setup nav = {
+        .dt_s = dt_s,
+        .samples_per_update = s->samples_per_update,
+        .order = s->order,
+        .gravity = schuler_truth_nav_gravity(b->plan->truth),
+        .lanes = b->width,
+        .start = start,
+        .dg_coefficient = knows_dg,
+    };
+    for (int k = 0; k < SCHULER_PRIME; k++)
+        for (int i = 0; i < 3; i++) {
+            nav.prime_dtheta[k][i] = before->dtheta_ib_b[i][SCHULER_PRIME - 1 - k];
+            nav.prime_dv[k][i] = before->dv_ib_b[i][SCHULER_PRIME - 1 - k];
+        }
+    b->frame->init(b->groups[g].nav, &nav);
+}
+
+schuler_status schuler_batch_state_make(lane_batch_state *b, const simulation_plan *plan,
+                                        size_t index)
+{
+    const schuler_scenario *s = plan->scenario;
+    *b = (lane_batch_state){ .plan = plan, .width = schuler_isa_lanes(plan->isa) };
+    for (int i = 0; i < SCHULER_INSTRUMENTS; i++)
+        b->model[i] = schuler_sensor_models(plan->isa)[s->imu.triad[i].model_index];
+    b->frame = schuler_mechanizations(plan->isa)[s->frame];
+    if (!list_lanes(b, &plan->batches[index]) || !allocate(b)) return SCHULER_ERR_MEMORY;
+
+    schuler_truth_state start;
+    schuler_truth_block before;
+    schuler_truth_at(plan->truth, 0.0, &start);
+    schuler_truth_block_compute(plan->truth, plan->isa, -SCHULER_PRIME, SCHULER_PRIME, &before);
+    for (int g = 0; g < b->group_count; g++) set_up_group(b, g, &start, &before);
+    return SCHULER_OK;
+}
+
+void schuler_batch_state_free(lane_batch_state *b)
+{
+    free(b->lanes);
+    free(b->groups);
+    free(b->memory);
+}

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/* The lanes of a batch in vectors, with the state of their sensors and navigators. */
+#ifndef SCHULER_SCENARIOS_BATCH_H
+#define SCHULER_SCENARIOS_BATCH_H
+
+#include "core/truth.h"
+#include "mechanization/mechanization.h"
+#include "scenarios/plan.h"
+
+typedef struct {
+    int chunk, row, run; /* chunk: within the batch            */
+    int normals;         /* random numbers a step: lanes of a kind go together */
+    int result;          /* place in the order of results      */
+} batch_lane;
+
+/* A vector of lanes: a model state for each triad and a mechanization state. */
+typedef struct {
+    void *triad[SCHULER_INSTRUMENTS];
+    void *nav;
+} lane_group;
+
+typedef struct {
+    const simulation_plan *plan;
+    const schuler_sensor_model *model[SCHULER_INSTRUMENTS];
+    const schuler_mechanization *frame;
+    int width;         /* lanes in a vector */
+    batch_lane *lanes; /* by kind, then in the order of results: group g holds width from g*width */
+    int count;
+    lane_group *groups;
+    int group_count;
+    char *memory;                          /* of all states */
+    double *measured[SCHULER_INSTRUMENTS]; /* [axis][step][lane], reused by every group */
+} lane_batch_state;
+
+/** Set up batch `index` at the true start: values drawn, initial errors applied, navigators primed.
+ *  Errors  SCHULER_ERR_MEMORY; free with schuler_batch_state_free in any case */
+schuler_status schuler_batch_state_make(lane_batch_state *b, const simulation_plan *plan,
+                                        size_t index);
+void schuler_batch_state_free(lane_batch_state *b);
+
+#endif

@@ -1,0 +1,207 @@
+/* SPDX-License-Identifier: MIT */
+#include "scenarios/bench.h"
+#include "scenarios/worker.h"
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { ROUNDS_MAX = 99, TRUTH_STEPS = 200000 };
+
+static double seconds(clockid_t clock)
+{
+    struct timespec t;
+    clock_gettime(clock, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static schuler_spread spread_of(const double *values, int n)
+{
+    double sorted[ROUNDS_MAX];
+    memcpy(sorted, values, (size_t)n * sizeof(double));
+    qsort(sorted, (size_t)n, sizeof(double), ascending);
+    return (schuler_spread){ sorted[0], 0.5 * (sorted[(n - 1) / 2] + sorted[n / 2]),
+                             sorted[n - 1] };
+}
+
+static int param_index(const schuler_scenario *s, schuler_instrument i, const char *key)
+{
+    const schuler_param *params = s->imu.triad[i].model->params[i];
+    for (int k = 0; params[k].key; k++)
+        if (strcmp(params[k].key, key) == 0) return k;
+    return -1;
+}
+
+static void set(schuler_scenario *s, schuler_instrument i, const char *key, double value)
+{
+    schuler_value *v = &s->imu.triad[i].values[param_index(s, i, key)];
+    *v = (schuler_value){ .given = true, .draw = SCHULER_DRAW_FIXED, .text = "" };
+    for (int c = 0; c < SCHULER_VALUE_MAX; c++) v->a[c] = value;
+}
+
+/* The scenario's mission with navigation-grade sensors of the linear model and so many normals a
+ * step. */
+static schuler_scenario sensors_for(const schuler_scenario *base, int normals)
+{
+    schuler_scenario s = *base;
+    s.only = s.without = (schuler_text_list){ 0 };
+    s.requirement = (schuler_requirement){ 0 };
+    s.truth_gravity = s.nav_gravity = "wgs84";
+    s.runs = SCHULER_BENCH_LANES;
+    s.report_s = 1.0;
+    for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
+        const schuler_instrument instrument = (schuler_instrument)i;
+        schuler_triad *triad = &s.imu.triad[i];
+        triad->model_index = schuler_sensor_model_find("linear");
+        triad->model = schuler_sensor_models(SCHULER_ISA_SCALAR)[triad->model_index];
+        memset(triad->values, 0, sizeof(triad->values));
+        set(&s, instrument, "bias", i == SCHULER_ACCEL ? 2.5e-4 : 1.7e-8);
+        set(&s, instrument, "scale_factor", i == SCHULER_ACCEL ? 1e-4 : 5e-6);
+        set(&s, instrument, "misalignment", 3e-5);
+        if (normals >= 6)
+            set(&s, instrument, i == SCHULER_ACCEL ? "velocity_random_walk" : "angle_random_walk",
+                i == SCHULER_ACCEL ? 1.5e-5 : 5.8e-7);
+        /* So short a correlation time that the drives are needed at every step. */
+        if (normals >= 18) {
+            set(&s, instrument, "gauss_markov", i == SCHULER_ACCEL ? 1e-4 : 1e-8);
+            set(&s, instrument, "gauss_markov_time", 1.0 / s.imu.rate_hz);
+        }
+    }
+    return s;
+}
+
+static int no_tick(void *user, int64_t lane_steps)
+{
+    const volatile int *stop = user;
+    (void)lane_steps;
+    return stop && *stop;
+}
+
+/* One batch of joint lanes. */
+static schuler_status chain(const schuler_scenario *s, const schuler_truth *truth, schuler_isa isa,
+                            const volatile int *stop, schuler_error *err)
+{
+    lane_chunk chunks[SCHULER_BENCH_LANES / CHUNK_LANES];
+    lane_batch batch = { 0, sizeof(chunks) / sizeof(chunks[0]), SCHULER_BENCH_LANES };
+    simulation_plan plan = { .scenario = s, .truth = truth, .isa = isa };
+    plan.count = schuler_sources_list(s, plan.sources);
+    for (size_t c = 0; c < batch.chunks; c++)
+        chunks[c] = (lane_chunk){ plan_row_all(&plan), (int)c * CHUNK_LANES, CHUNK_LANES };
+    plan.chunks = chunks;
+    plan.batches = &batch;
+    plan.chunk_count = batch.chunks;
+    plan.batch_count = 1;
+    plan.report_steps = (int64_t)(s->imu.rate_hz + 0.5);
+    plan.steps = SCHULER_BENCH_SECONDS * plan.report_steps;
+    if (plan.steps > schuler_truth_steps(truth)) plan.steps = schuler_truth_steps(truth);
+    plan.reports = (size_t)((plan.steps + plan.report_steps - 1) / plan.report_steps);
+    batch_result result;
+    const schuler_status status =
+        schuler_batch_run(&plan, 0, false, no_tick, (void *)(uintptr_t)stop, &result, err);
+    if (status == SCHULER_OK) schuler_batch_free(&result);
+    return status;
+}
+
+static double truth_ns(const schuler_truth *truth, schuler_isa isa)
+{
+    int64_t steps = schuler_truth_steps(truth);
+    if (steps > TRUTH_STEPS) steps = TRUTH_STEPS;
+    const double start_s = seconds(CLOCK_THREAD_CPUTIME_ID);
+    schuler_truth_block block;
+    for (int64_t first = 0; first < steps; first += SCHULER_BLOCK)
+        schuler_truth_block_compute(
+            truth, isa, first, steps - first < SCHULER_BLOCK ? (int)(steps - first) : SCHULER_BLOCK,
+            &block);
+    return (seconds(CLOCK_THREAD_CPUTIME_ID) - start_s) / (double)steps * 1e9;
+}
+
+typedef struct {
+    const schuler_scenario *scenario;
+    const schuler_truth *truth;
+    const volatile int *stop;
+    int batches;
+    schuler_status status;
+    schuler_error error;
+} share;
+
+static void *do_share(void *user)
+{
+    share *s = user;
+    for (int i = 0; i < s->batches && s->status == SCHULER_OK; i++)
+        s->status = chain(s->scenario, s->truth, schuler_isa_best(), s->stop, &s->error);
+    return NULL;
+}
+
+/* Wall time of two shares one after the other, over that of both at once. */
+static schuler_status two_threads(const share *work, double *ratio, schuler_error *err)
+{
+    share one = *work, other = *work;
+    const double start_s = seconds(CLOCK_MONOTONIC);
+    do_share(&one);
+    do_share(&other);
+    const double middle_s = seconds(CLOCK_MONOTONIC);
+    pthread_t thread;
+    if (pthread_create(&thread, NULL, do_share, &other) != 0)
+        return schuler_fail(err, SCHULER_ERR_MEMORY, NULL, "cannot start a thread");
+    do_share(&one);
+    pthread_join(thread, NULL);
+    *ratio = (middle_s - start_s) / (seconds(CLOCK_MONOTONIC) - middle_s);
+    if (err && one.status != SCHULER_OK) *err = one.error;
+    return one.status;
+}
+
+schuler_status schuler_bench_run(const schuler_scenario *scenario, int rounds,
+                                 const volatile int *stop, schuler_bench *out, schuler_error *err)
+{
+    schuler_scenario sensors[SCHULER_BENCH_KINDS];
+    for (int k = 0; k < SCHULER_BENCH_KINDS; k++)
+        sensors[k] = sensors_for(scenario, schuler_bench_normals[k]);
+    schuler_truth *truth;
+    schuler_status status = schuler_truth_create(
+        &truth, &scenario->path, 1.0 / scenario->imu.rate_hz, "wgs84", "wgs84", err);
+    if (status != SCHULER_OK) return status;
+
+    double lane_steps = (double)schuler_truth_steps(truth);
+    if (lane_steps > SCHULER_BENCH_SECONDS * scenario->imu.rate_hz)
+        lane_steps = SCHULER_BENCH_SECONDS * scenario->imu.rate_hz;
+    lane_steps *= SCHULER_BENCH_LANES;
+    rounds = rounds < 1 ? 1 : rounds > ROUNDS_MAX ? ROUNDS_MAX : rounds;
+    *out = (schuler_bench){ .rounds = rounds };
+
+    static const int kinds = SCHULER_BENCH_KINDS;
+    double times[SCHULER_ISA_COUNT][SCHULER_BENCH_KINDS][ROUNDS_MAX];
+    double truths[SCHULER_ISA_COUNT][ROUNDS_MAX], ratios[ROUNDS_MAX], pairs[ROUNDS_MAX];
+    for (int r = 0; r < rounds && status == SCHULER_OK; r++) {
+        for (int isa = 0; isa < SCHULER_ISA_COUNT; isa++) {
+            if (!(out->has[isa] = schuler_isa_available((schuler_isa)isa))) continue;
+            truths[isa][r] = truth_ns(truth, (schuler_isa)isa);
+            for (int k = 0; k < kinds && status == SCHULER_OK; k++) {
+                const double start_s = seconds(CLOCK_THREAD_CPUTIME_ID);
+                status = chain(&sensors[k], truth, (schuler_isa)isa, stop, err);
+                times[isa][k][r] = (seconds(CLOCK_THREAD_CPUTIME_ID) - start_s) / lane_steps * 1e9;
+            }
+        }
+        const share work = { &sensors[1], truth, stop, 2, SCHULER_OK, { 0 } };
+        if (status == SCHULER_OK) status = two_threads(&work, &pairs[r], err);
+    }
+    schuler_truth_free(truth);
+    if (status != SCHULER_OK) return status;
+    for (int isa = 0; isa < SCHULER_ISA_COUNT; isa++) {
+        if (!out->has[isa]) continue;
+        out->truth_ns[isa] = spread_of(truths[isa], rounds);
+        for (int k = 0; k < kinds; k++) {
+            out->chain_ns[isa][k] = spread_of(times[isa][k], rounds);
+            for (int r = 0; r < rounds; r++)
+                ratios[r] = times[SCHULER_ISA_SCALAR][k][r] / times[isa][k][r];
+            out->over_scalar[isa][k] = spread_of(ratios, rounds);
+        }
+    }
+    out->two_threads = spread_of(pairs, rounds);
+    return SCHULER_OK;
+}

@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT */
+/* Navigator minus truth. */
+#ifndef SCHULER_SCENARIOS_COMPARATOR_H
+#define SCHULER_SCENARIOS_COMPARATOR_H
+
+#include "core/truth.h"
+#include "mechanization/mechanization.h"
+#include "scenarios/simulation.h"
+
+/** Errors of one lane at one instant, position and velocity resolved in NED at the truth; Euler
+ * angles are those the navigator would show, in the north-east-down of its own position, minus the
+ * true ones. */
+schuler_error_row schuler_compare(const schuler_nav_state *nav, const schuler_truth_state *truth);
+
+/* What is kept of a lane as it goes. */
+typedef struct {
+    double sum_tr, sum_tt; /* of the radial error: for the slope through the origin */
+    double sum_v2, count;  /* horizontal velocity error                             */
+    double end_m, max_m;   /* horizontal error                                      */
+} lane_metrics;
+
+/** Take in one report. Returns the square of the horizontal error, m^2. */
+double schuler_metrics_take(lane_metrics *m, const schuler_error_row *row);
+
+#endif

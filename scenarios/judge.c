@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: MIT */
+#include "core/random.h"
+#include "scenarios/metrics.h"
+#include <math.h>
+#include <stdlib.h>
+
+enum { RESAMPLES = 2000 };
+
+/* The interval is a property of the runs, so its luck must not depend on the scenario's seed. */
+static const uint64_t BOOTSTRAP_SEED = 0x626f6f7473747261u;
+
+/* Rms of one resample of the runs, drawn with replacement. One block of the generator gives four
+ * numbers of 32 bits; scaling them to n < 2^17 runs favours none by more than 2^-15. */
+static double resampled_rms(const double *squares, int n, uint64_t resample)
+{
+    const uint64_t key[2] = { BOOTSTRAP_SEED, resample };
+    double sum = 0.0;
+    for (int i = 0; i < n; i += 4) {
+        const uint64_t counter[2] = { (uint64_t)i, 0 };
+        uint64_t word[2];
+        schuler_threefry2x64(counter, key, word);
+        for (int j = 0; j < 4 && i + j < n; j++) {
+            const uint64_t bits = (word[j / 2] >> (32 * (j % 2))) & 0xffffffffu;
+            sum += squares[(bits * (uint64_t)n) >> 32];
+        }
+    }
+    return sqrt(sum / n);
+}
+
+static schuler_status rms_bounds(const schuler_budget_row *all, schuler_judgement *out)
+{
+    const int n = all->runs;
+    const double tail = 0.5 * (1.0 - out->confidence);
+    double *squares = malloc(((size_t)n + 2 * RESAMPLES) * sizeof(*squares));
+    if (!squares) return SCHULER_ERR_MEMORY;
+    double *resampled = squares + n, *scratch = resampled + RESAMPLES;
+    for (int i = 0; i < n; i++) squares[i] = all->slope_mps[i] * all->slope_mps[i];
+    for (int k = 0; k < RESAMPLES; k++) resampled[k] = resampled_rms(squares, n, (uint64_t)k);
+    out->lower_mps = schuler_percentile(resampled, RESAMPLES, tail, scratch);
+    out->upper_mps = schuler_percentile(resampled, RESAMPLES, 1.0 - tail, scratch);
+    free(squares);
+    return SCHULER_OK;
+}
+
+static schuler_status percentile_bounds(const schuler_budget_row *all, double p,
+                                        schuler_judgement *out)
+{
+    int lower, upper;
+    double coverage;
+    schuler_order_interval(all->runs, p, out->confidence, &lower, &upper, &coverage);
+    double *sorted = malloc((size_t)all->runs * sizeof(*sorted));
+    if (!sorted) return SCHULER_ERR_MEMORY;
+    (void)schuler_percentile(all->slope_mps, all->runs, p, sorted); /* leaves them in order */
+    if (lower > 0) out->lower_mps = sorted[lower - 1];
+    if (upper <= all->runs) out->upper_mps = sorted[upper - 1];
+    free(sorted);
+    return SCHULER_OK;
+}
+
+/* Lower and upper bound of the statistic for runs that differ. */
+static schuler_status bounds(schuler_statistic statistic, const schuler_budget_row *all,
+                             schuler_judgement *out)
+{
+    out->lower_mps = 0.0; /* a radial slope is never below */
+    out->upper_mps = HUGE_VAL;
+    if (all->runs < SCHULER_VERDICT_RUNS_MIN) return SCHULER_OK;
+    switch (statistic) {
+    case SCHULER_STAT_RMS:
+        return rms_bounds(all, out);
+    case SCHULER_STAT_R95:
+        return percentile_bounds(all, 0.95, out);
+    case SCHULER_STAT_CEP:
+        break;
+    }
+    return percentile_bounds(all, 0.50, out);
+}
+
+schuler_status schuler_judge(const schuler_requirement *requirement, const schuler_budget_row *all,
+                             schuler_judgement *out)
+{
+    schuler_judgement judgement = { .confidence = 0.95, .verdict = SCHULER_VERDICT_NONE };
+    if (!requirement->given) {
+        *out = judgement;
+        return SCHULER_OK;
+    }
+    switch (requirement->statistic) {
+    case SCHULER_STAT_CEP:
+        judgement.value_mps = all->cep_mps;
+        break;
+    case SCHULER_STAT_R95:
+        judgement.value_mps = all->r95_mps;
+        break;
+    case SCHULER_STAT_RMS:
+        judgement.value_mps = all->rms_slope_mps;
+        break;
+    }
+    if (all->drawn) {
+        const schuler_status rc = bounds(requirement->statistic, all, &judgement);
+        if (rc != SCHULER_OK) return rc;
+    } else {
+        judgement.lower_mps = judgement.upper_mps = judgement.value_mps;
+    }
+    judgement.verdict = judgement.upper_mps <= requirement->drift_mps ? SCHULER_VERDICT_PASS
+                        : judgement.lower_mps > requirement->drift_mps
+                            ? SCHULER_VERDICT_FAIL
+                            : SCHULER_VERDICT_INCONCLUSIVE;
+    *out = judgement;
+    return SCHULER_OK;
+}

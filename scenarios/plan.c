@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: MIT */
+#include "scenarios/plan.h"
+#include <stdlib.h>
+
+bool schuler_plan_row_drawn(const simulation_plan *p, int row)
+{
+    if (row < p->count) return p->sources[row].drawn;
+    return row == plan_row_all(p) && p->drawn;
+}
+
+const char *schuler_plan_row_id(const simulation_plan *p, int row)
+{
+    if (row < p->count) return p->sources[row].id;
+    return row == plan_row_all(p) ? "all" : "none";
+}
+
+static int row_runs(const simulation_plan *p, int row)
+{
+    return schuler_plan_row_drawn(p, row) ? p->scenario->runs : 1;
+}
+
+/* Time of a lane of this row, in tenths of a nanosecond a step: measured, and only for balance. */
+static double lane_cost(const simulation_plan *p, int row)
+{
+    double cost = 120.0;
+    for (int i = 0; i < p->count; i++)
+        if (plan_enabled(p, row, i)) cost += 13.0 * p->sources[i].normals;
+    return cost;
+}
+
+/* A batch is closed before it would cost more than its share, or hold too many lanes. */
+static size_t fill_batches(simulation_plan *p, double share, int lanes_max)
+{
+    size_t n = 0;
+    double cost = 0.0;
+    for (size_t c = 0; c < p->chunk_count; c++) {
+        const lane_chunk *chunk = &p->chunks[c];
+        const double more = chunk->runs * lane_cost(p, chunk->row);
+        if (n == 0 || cost + more > share || p->batches[n - 1].lanes + chunk->runs > lanes_max) {
+            p->batches[n++] = (lane_batch){ .first_chunk = c };
+            cost = 0.0;
+        }
+        p->batches[n - 1].chunks++;
+        p->batches[n - 1].lanes += chunk->runs;
+        cost += more;
+    }
+    return n;
+}
+
+schuler_status schuler_plan_make(simulation_plan *p, int threads, bool rows_wanted)
+{
+    size_t count = 0;
+    for (int row = 0; row <= plan_row_none(p); row++)
+        count += (size_t)(row_runs(p, row) + CHUNK_LANES - 1) / CHUNK_LANES;
+    p->chunks = calloc(count, sizeof(*p->chunks));
+    p->batches = calloc(count, sizeof(*p->batches));
+    if (!p->chunks || !p->batches) return SCHULER_ERR_MEMORY;
+
+    double total = 0.0;
+    for (int row = 0; row <= plan_row_none(p); row++) {
+        const int runs = row_runs(p, row);
+        for (int first = 0; first < runs; first += CHUNK_LANES) {
+            const int n = runs - first < CHUNK_LANES ? runs - first : CHUNK_LANES;
+            p->chunks[p->chunk_count++] = (lane_chunk){ row, first, n };
+            total += n * lane_cost(p, row);
+        }
+    }
+    /* Several batches for each thread, so that the last to finish has not much left to do; but not
+     * so small that computing the truth for each begins to count. With error rows kept, 32 MB a
+     * batch. */
+    const double share = total / (threads == 1 ? 1.0 : 5.0 * threads);
+    int lanes_max = BATCH_LANES;
+    if (rows_wanted) {
+        const size_t row_bytes = (p->reports + 1) * sizeof(schuler_error_row);
+        const size_t fit = (32u << 20) / row_bytes;
+        if (fit < (size_t)lanes_max) lanes_max = (int)fit;
+    }
+    p->batch_count = fill_batches(p, share, lanes_max);
+    return SCHULER_OK;
+}
+
+void schuler_plan_free(simulation_plan *p)
+{
+    free(p->chunks);
+    free(p->batches);
+}

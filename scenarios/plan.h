@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: MIT */
+/* The work of a simulation, cut up: lanes into chunks, chunks into batches. A chunk is a stretch of
+ * runs of one row; sums over runs are taken inside a chunk in run order and then over chunks in
+ * order, so a result does not depend on how chunks are shared out. A batch is what one thread
+ * carries through the whole mission over one stream of truth. */
+#ifndef SCHULER_SCENARIOS_PLAN_H
+#define SCHULER_SCENARIOS_PLAN_H
+
+#include "core/truth.h"
+#include "scenarios/simulation.h"
+#include "scenarios/sources.h"
+
+enum { CHUNK_LANES = 64, BATCH_LANES = 512 };
+
+typedef struct {
+    int row; /* index of a source, or plan.count (all), plan.count + 1 (none) */
+    int first_run, runs;
+} lane_chunk;
+
+typedef struct {
+    size_t first_chunk, chunks;
+    int lanes;
+} lane_batch;
+
+typedef struct {
+    const schuler_scenario *scenario;
+    const schuler_truth *truth;
+    schuler_isa isa;
+    error_source sources[SOURCES_MAX];
+    int count;  /* sources */
+    bool drawn; /* any of them */
+    int64_t steps, report_steps;
+    size_t reports; /* report times, without 0 */
+    lane_chunk *chunks;
+    lane_batch *batches;
+    size_t chunk_count, batch_count;
+} simulation_plan;
+
+/** Cut the work. rows_wanted: error rows will be kept for each lane of a batch, so batches must
+ * stay small. Errors  SCHULER_ERR_MEMORY */
+schuler_status schuler_plan_make(simulation_plan *plan, int threads, bool rows_wanted);
+void schuler_plan_free(simulation_plan *plan);
+
+/** Rows 0..count-1 are sources, then all, then none. */
+static inline int plan_row_all(const simulation_plan *p)
+{
+    return p->count;
+}
+
+static inline int plan_row_none(const simulation_plan *p)
+{
+    return p->count + 1;
+}
+
+/** Whether a row has source i switched on. */
+static inline bool plan_enabled(const simulation_plan *p, int row, int source)
+{
+    return row == source || row == plan_row_all(p);
+}
+
+bool schuler_plan_row_drawn(const simulation_plan *p, int row);
+const char *schuler_plan_row_id(const simulation_plan *p, int row);
+
+#endif

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT */
+/* The scenario file as its table has it, and the checks that look at more than one key. Private to
+ * the scenario reader. */
+#ifndef SCHULER_SCENARIOS_READER_H
+#define SCHULER_SCENARIOS_READER_H
+
+#include "core/schema_private.h"
+#include "scenarios/scenario.h"
+
+typedef struct {
+    schuler_place place;
+    const char *name;
+    int64_t seed, runs;
+    struct {
+        schuler_place place;
+        const schuler_node *gravity;
+    } truth;
+    const schuler_node *trajectory, *imu;
+    struct {
+        schuler_place place;
+        schuler_value position, velocity, tilt, heading;
+    } initial;
+    struct {
+        schuler_place place;
+        const schuler_node *frame, *gravity;
+        const char *vertical, *order, *samples_per_update;
+    } navigation;
+    struct {
+        schuler_place place;
+        schuler_text_list only, without;
+    } errors;
+    struct {
+        schuler_place place;
+        double drift_mps;
+        const schuler_node *statistic;
+    } requirement;
+    struct {
+        schuler_place place;
+        double every_s; /* NAN = not given */
+    } report;
+} schuler_scenario_file;
+
+extern const schuler_object schuler_scenario_object;
+
+/** Everything that can be checked without the compiled trajectory, moved into the scenario. */
+void schuler_scenario_check(schuler_reading *r, const schuler_scenario_file *file,
+                            schuler_scenario *s);
+
+/** What depends on the duration: the report interval, doubts about the requirement. */
+void schuler_scenario_check_duration(schuler_reading *r, const schuler_scenario_file *file,
+                                     schuler_scenario *s);
+
+/** Every name in errors.only and errors.without is a source or a group of this scenario. */
+void schuler_scenario_check_sources(schuler_reading *r, const schuler_scenario *s);
+
+/** Split "a, b" at commas. */
+void schuler_split_words(schuler_reading *r, const char *text, const char *shown,
+                         schuler_text_list *out);
+
+#endif

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT */
+/* A scenario as read from its file: everything checked, SI units, defaults filled in. */
+#ifndef SCHULER_SCENARIOS_SCENARIO_H
+#define SCHULER_SCENARIOS_SCENARIO_H
+
+#include "core/schema.h"
+#include "core/trajectory.h"
+#include "sensors/model.h"
+
+SCHULER_BEGIN_C
+
+/* One triad: its model and the values of that model's parameters, by index in its table. */
+typedef struct {
+    const schuler_sensor_model *model; /* of the baseline instruction set; index below            */
+    int model_index;
+    schuler_value values[SCHULER_PARAMS_MAX];
+} schuler_triad;
+
+typedef struct {
+    const char *name;   /* catalog name, file name or "custom"                                    */
+    const char *title;  /* for people                                                             */
+    double rate_hz;
+    schuler_triad triad[SCHULER_INSTRUMENTS];
+} schuler_imu;
+
+typedef enum { SCHULER_VERTICAL_TRUTH, SCHULER_VERTICAL_FREE } schuler_vertical;
+
+typedef enum { SCHULER_STAT_CEP, SCHULER_STAT_R95, SCHULER_STAT_RMS } schuler_statistic;
+
+typedef struct {
+    bool given;
+    double drift_mps;
+    schuler_statistic statistic;
+    schuler_place place;
+} schuler_requirement;
+
+typedef struct schuler_scenario {
+    const char *name;
+    const char *file;
+    char sha256[65];                /* of the file's bytes, hex                                   */
+    uint64_t seed;
+    int runs;
+    double report_s;                /* interval of the error reports; a whole number of blocks is not needed */
+    const char *truth_gravity;
+    const schuler_trajectory_kind *trajectory;
+    const void *trajectory_spec;
+    schuler_path path;              /* compiled from it                                           */
+    schuler_imu imu;
+    schuler_value position, velocity; /* initial errors, n-axes: 3 components, m and m/s           */
+    schuler_value tilt;             /* 2: phi_N, phi_E, rad (C_b_n computed = (I - [phi x]) C_b_n)  */
+    schuler_value heading;          /* 1: computed minus true heading, rad                        */
+    int frame;                      /* index into schuler_mechanizations()                        */
+    const char *nav_gravity;
+    schuler_vertical vertical;
+    int order, samples_per_update;
+    schuler_text_list only, without;
+    schuler_requirement requirement;
+    schuler_arena *arena;           /* owns what the members point to                             */
+    schuler_document **documents;   /* scenario and sensor files, owned                           */
+    size_t document_count;
+} schuler_scenario;
+
+/* Changes from the command line. Zero-initialised = none. */
+typedef struct {
+    const char *const *set;         /* "key.path=value", count_set of them, in order              */
+    size_t count_set;
+    const char *imu;                /* --imu                                                     */
+    const char *only, *without;     /* comma-separated, replace errors.only / errors.without      */
+    int has_seed, has_runs;
+    uint64_t seed;
+    int runs;
+} schuler_overrides;
+
+/** Read, check and compile a scenario file. Every mistake goes to d; nothing is printed or written.
+ *  Returned   out   owned by the caller; NULL when there were errors (warnings alone do not count)
+ *  Errors     SCHULER_ERR_INPUT, SCHULER_ERR_FILE, SCHULER_ERR_MEMORY, SCHULER_ERR_NUMERIC */
+SCHULER_API SCHULER_NODISCARD schuler_status schuler_scenario_load(schuler_scenario **out,
+                                                                   const char *path,
+                                                                   const schuler_overrides *overrides,
+                                                                   schuler_diagnostics *d);
+SCHULER_API void schuler_scenario_free(schuler_scenario *s); /* NULL is fine */
+
+/* A part as read from the catalog or a file, for `sensors show`. */
+typedef struct {
+    const char *key, *text;
+} schuler_source_text;
+
+typedef struct {
+    schuler_imu imu;
+    const char *maker, *grade, *technology, *notes; /* or NULL                                     */
+    const schuler_source_text *sources;             /* the file's `sources`                       */
+    size_t source_count;
+    schuler_arena *arena;
+    schuler_document *document;
+} schuler_part;
+
+/** Read a part by catalog name or file path. Errors as above. */
+SCHULER_API SCHULER_NODISCARD schuler_status schuler_part_load(schuler_part **out,
+                                                               const char *name_or_file,
+                                                               schuler_diagnostics *d);
+SCHULER_API void schuler_part_free(schuler_part *part);
+
+SCHULER_END_C
+
+#endif

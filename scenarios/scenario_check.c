@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: MIT */
+/* Checks of a scenario that look at registries, at more than one key or at the compiled path. */
+#include "mechanization/mechanization.h"
+#include "scenarios/reader.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Names of data sets are open: GeographicLib finds what is installed. A near miss of a known name is a
+ * slip all the same, and a name is not a path. */
+static const char *check_gravity(schuler_reading *r, const schuler_node *node, const char *what)
+{
+    static const char *const known[] = { "wgs84", "grs80", "egm84", "egm96", "egm2008" };
+    enum { COUNT = sizeof known / sizeof known[0] };
+    if (!node) return known[0];
+    const char *text = schuler_read_scalar(r, node, what, "the name of a gravity model");
+    if (!text) return known[0];
+    for (int i = 0; i < COUNT; i++)
+        if (strcmp(text, known[i]) == 0) return text;
+    const bool is_name = text[strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                           "0123456789_-")] == '\0';
+    const bool is_variant = strncmp(text, "egm2008-", 8) == 0 || strncmp(text, "egm96-", 6) == 0;
+    if (is_name && (is_variant || !schuler_nearest(text, known, COUNT))) return text;
+    char lead[200];
+    snprintf(lead, sizeof lead, "%s: unknown gravity model '%.60s'", what, text);
+    schuler_diagnose_unknown(r, &node->place, lead, text, known, COUNT);
+    return known[0];
+}
+
+static int check_frame(schuler_reading *r, const schuler_node *node)
+{
+    const char *const text =
+        node ? schuler_read_scalar(r, node, "navigation.frame", "the name of a frame") : "ecef";
+    const int index = text ? schuler_mechanization_find(text) : -1;
+    if (index >= 0 || !text) return index;
+    const schuler_mechanization *const *all = schuler_mechanizations(SCHULER_ISA_SCALAR);
+    const char *names[64];
+    size_t count = 0;
+    for (; all[count] && count < 64; count++) names[count] = all[count]->name;
+    char lead[160];
+    snprintf(lead, sizeof lead, "navigation.frame: there is no frame '%.60s'", text);
+    schuler_diagnose_unknown(r, node ? &node->place : NULL, lead, text, names, count);
+    return index;
+}
+
+static void check_requirement(schuler_reading *r, const schuler_scenario_file *file,
+                              schuler_requirement *out)
+{
+    static const char *const names[] = { "CEP", "R95", "rms" }; /* as schuler_statistic */
+    if (!file->requirement.place.file) return;
+    *out = (schuler_requirement){ .given = true,
+                                  .drift_mps = file->requirement.drift_mps,
+                                  .place = file->requirement.place };
+    const schuler_node *const node = file->requirement.statistic;
+    if (!node) {
+        schuler_diagnose(r->d, SCHULER_ERR_INPUT, &file->requirement.place,
+                         "'requirement' needs the key 'statistic': CEP, R95 or rms. There is no "
+                         "default, because a drift limit means nothing without it: the sensors that "
+                         "drift 0.5 nmi/h CEP drift 1.0 nmi/h R95");
+        return;
+    }
+    const char *text =
+        schuler_read_scalar(r, node, "requirement.statistic", "one of CEP, R95 and rms");
+    if (!text) return;
+    for (int i = 0; i < 3; i++) {
+        if (strcmp(text, names[i]) != 0) continue;
+        out->statistic = (schuler_statistic)i;
+        return;
+    }
+    char lead[160];
+    snprintf(lead, sizeof lead, "requirement.statistic: unknown '%.60s'", text);
+    schuler_diagnose_unknown(r, &node->place, lead, text, names, 3);
+}
+
+void schuler_scenario_check(schuler_reading *r, const schuler_scenario_file *file,
+                            schuler_scenario *s)
+{
+    s->name = file->name;
+    s->seed = (uint64_t)file->seed;
+    s->runs = (int)file->runs;
+    s->truth_gravity = check_gravity(r, file->truth.gravity, "truth.gravity");
+    s->nav_gravity = check_gravity(r, file->navigation.gravity, "navigation.gravity");
+    s->frame = check_frame(r, file->navigation.frame);
+    s->vertical = strcmp(file->navigation.vertical, "free") == 0 ? SCHULER_VERTICAL_FREE
+                                                                 : SCHULER_VERTICAL_TRUTH;
+    s->order = *file->navigation.order - '0'; /* one digit each, by their choices */
+    s->samples_per_update = *file->navigation.samples_per_update - '0';
+    s->position = file->initial.position;
+    s->velocity = file->initial.velocity;
+    s->tilt = file->initial.tilt;
+    s->heading = file->initial.heading;
+    s->only = file->errors.only;
+    s->without = file->errors.without;
+    check_requirement(r, file, &s->requirement);
+}
+
+/* Round figures, so that times in tables are round too. */
+static double usual_interval(double duration_s)
+{
+    enum { REPORTS = 720 };
+    static const double steps[] = { 10, 20, 30, 60, 120, 300, 600, 1200, 1800, 3600 };
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++)
+        if (duration_s <= REPORTS * steps[i]) return steps[i];
+    return 3600.0 * ceil(duration_s / (REPORTS * 3600.0));
+}
+
+void schuler_scenario_check_duration(schuler_reading *r, const schuler_scenario_file *file,
+                                     schuler_scenario *s)
+{
+    enum { REPORTS_MAX = 100000 };
+    const double schuler_period_s = 84.4 * 60.0, duration_s = s->path.duration_s;
+    const double every_s = file->report.every_s;
+    s->report_s = isnan(every_s) ? usual_interval(duration_s) : every_s;
+    if (s->report_s > duration_s) s->report_s = duration_s;
+    if (duration_s / s->report_s > REPORTS_MAX)
+        schuler_diagnose(r->d, SCHULER_ERR_INPUT, &file->report.place,
+                         "report.every: this gives %.0f reports in %.0f s; allowed: %d",
+                         duration_s / s->report_s, duration_s, REPORTS_MAX);
+    if (s->report_s * s->imu.rate_hz < 1.0 - 1e-9)
+        schuler_diagnose(r->d, SCHULER_ERR_INPUT, &file->report.place,
+                         "report.every: %g s is shorter than the interval of the samples, %g s",
+                         s->report_s, 1.0 / s->imu.rate_hz);
+    if (s->requirement.given && duration_s < schuler_period_s)
+        schuler_warn(r->d, &s->requirement.place,
+                     "the mission of %.0f s is shorter than one Schuler period (84.4 min), so the "
+                     "drift depends on its length",
+                     duration_s);
+}
+
+typedef struct {
+    const char *names[2 * SCHULER_PARAMS_MAX + 16];
+    size_t count;
+} name_list;
+
+static void add_name(name_list *list, const char *name)
+{
+    if (name && list->count < sizeof list->names / sizeof list->names[0])
+        list->names[list->count++] = name;
+}
+
+static void add_sensor_names(schuler_reading *r, const schuler_scenario *s, name_list *list)
+{
+    for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
+        const schuler_triad *const triad = &s->imu.triad[i];
+        const char *const group = schuler_instrument_name((schuler_instrument)i);
+        add_name(list, group);
+        if (!triad->model) continue;
+        const schuler_param *const params = triad->model->params[i];
+        for (int k = 0; params[k].key; k++)
+            if (params[k].number != 0) add_name(list, schuler_reading_path(r, group, params[k].key));
+    }
+}
+
+static void check_names(schuler_reading *r, const schuler_text_list *words, const char *what,
+                        const name_list *known)
+{
+    for (size_t i = 0; i < words->count; i++) {
+        bool found = false;
+        for (size_t k = 0; k < known->count && !found; k++)
+            found = strcmp(words->items[i], known->names[k]) == 0;
+        if (found) continue;
+        char lead[200];
+        snprintf(lead, sizeof lead, "%s: no error source or group '%.60s'", what, words->items[i]);
+        schuler_diagnose_unknown(r, &words->places[i], lead, words->items[i], known->names,
+                                 known->count);
+    }
+}
+
+void schuler_scenario_check_sources(schuler_reading *r, const schuler_scenario *s)
+{
+    static const char *const others[] = { "initial",      "initial.position", "initial.velocity",
+                                          "initial.tilt", "initial.heading",  "gravity",
+                                          "gravity.disturbance", "numerical" };
+    /* Names of a triad whose model is not known cannot be judged. */
+    for (int i = 0; i < SCHULER_INSTRUMENTS; i++)
+        if (!s->imu.triad[i].model) return;
+    name_list known = { .count = 0 };
+    add_sensor_names(r, s, &known);
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) add_name(&known, others[i]);
+    check_names(r, &s->only, "errors.only", &known);
+    check_names(r, &s->without, "errors.without", &known);
+}
+
+void schuler_split_words(schuler_reading *r, const char *text, const char *shown,
+                         schuler_text_list *out)
+{
+    size_t count = 1;
+    for (const char *at = text; *at; at++) count += *at == ',';
+    char *copy = schuler_reading_alloc(r, strlen(text) + 1);
+    const char **items = schuler_reading_alloc(r, count * sizeof *items);
+    schuler_place *places = schuler_reading_alloc(r, count * sizeof *places);
+    if (!copy || !items || !places) return;
+    memcpy(copy, text, strlen(text) + 1);
+    *out = (schuler_text_list){ items, places, 0 };
+    for (char *rest = copy, *word; (word = strsep(&rest, ",")) != NULL;) {
+        word += strspn(word, " \t");
+        word[strcspn(word, " \t")] = '\0';
+        if (*word == '\0') continue;
+        items[out->count] = word;
+        places[out->count++] = (schuler_place){ shown, 0, 0, 0 };
+    }
+}

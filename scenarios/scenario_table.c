@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: MIT */
+/* The keys of a scenario file. */
+#include "scenarios/reader.h"
+#include <math.h>
+
+#define AT(member) offsetof(schuler_scenario_file, member)
+/* Offset within an object that is a member itself. */
+#define IN(object, member)                                                                         \
+    (offsetof(schuler_scenario_file, object.member) - offsetof(schuler_scenario_file, object))
+#define SIZE(object) sizeof(((schuler_scenario_file *)0)->object)
+
+static const schuler_field truth_fields[] = {
+    { .key = "gravity",
+      .kind = SCHULER_FIELD_NODE,
+      .offset = IN(truth, gravity),
+      .example = "wgs84",
+      .doc = "gravity of the real world: wgs84, grs80, egm96, ..." },
+    { .key = NULL },
+};
+static const schuler_object truth_object = {
+    .name = "truth",
+    .doc = "the real world",
+    .size = SIZE(truth),
+    .fields = truth_fields,
+};
+
+#define VALUE(key_, member_, components_, dim_, example_, doc_)                                    \
+    {                                                                                              \
+        .key = key_, .kind = SCHULER_FIELD_VALUE, .offset = IN(initial, member_), .dim = dim_,     \
+        .components = components_, .example = example_, .doc = doc_                                \
+    }
+static const schuler_field initial_fields[] = {
+    VALUE("position", position, 3, SCHULER_DIM_LENGTH, "{normal: 10 m}", "north, east, down"),
+    VALUE("velocity", velocity, 3, SCHULER_DIM_SPEED, "{normal: 0.1 m/s}", "north, east, down"),
+    VALUE("tilt", tilt, 2, SCHULER_DIM_ANGLE, "{normal: 10 arcsec}", "about north and east"),
+    VALUE("heading", heading, 1, SCHULER_DIM_ANGLE, "{normal: 1 arcmin}", "computed minus true"),
+    { .key = NULL },
+};
+static const schuler_object initial_object = {
+    .name = "initial",
+    .doc = "errors of the start",
+    .size = SIZE(initial),
+    .fields = initial_fields,
+};
+
+static const char *const verticals[] = { "truth", "free", NULL };
+static const char *const orders[] = { "4", "2", NULL };
+static const char *const sample_counts[] = { "1", "2", "4", "8", NULL };
+static const schuler_field navigation_fields[] = {
+    { .key = "frame",
+      .kind = SCHULER_FIELD_NODE,
+      .offset = IN(navigation, frame),
+      .example = "ecef",
+      .doc = "frame the navigator computes in" },
+    { .key = "gravity",
+      .kind = SCHULER_FIELD_NODE,
+      .offset = IN(navigation, gravity),
+      .example = "wgs84",
+      .doc = "gravity model of the navigator" },
+    { .key = "vertical",
+      .kind = SCHULER_FIELD_CHOICE,
+      .offset = IN(navigation, vertical),
+      .choices = verticals,
+      .example = "truth",
+      .doc = "how height is held" },
+    { .key = "order",
+      .kind = SCHULER_FIELD_CHOICE,
+      .offset = IN(navigation, order),
+      .choices = orders,
+      .example = "4",
+      .doc = "samples used for coning and sculling" },
+    { .key = "samples_per_update",
+      .kind = SCHULER_FIELD_CHOICE,
+      .offset = IN(navigation, samples_per_update),
+      .choices = sample_counts,
+      .example = "1",
+      .doc = "samples in a navigation update" },
+    { .key = NULL },
+};
+static const schuler_object navigation_object = {
+    .name = "navigation",
+    .doc = "the navigator",
+    .size = SIZE(navigation),
+    .fields = navigation_fields,
+};
+
+static const schuler_field errors_fields[] = {
+    { .key = "only",
+      .kind = SCHULER_FIELD_TEXTS,
+      .offset = IN(errors, only),
+      .example = "[gyro]",
+      .doc = "error sources or groups that act; no others" },
+    { .key = "without",
+      .kind = SCHULER_FIELD_TEXTS,
+      .offset = IN(errors, without),
+      .example = "[gyro.bias]",
+      .doc = "error sources or groups that do not act" },
+    { .key = NULL },
+};
+static const schuler_object errors_object = {
+    .name = "errors",
+    .doc = "which error sources act",
+    .size = SIZE(errors),
+    .fields = errors_fields,
+};
+
+static const schuler_field requirement_fields[] = {
+    { .key = "drift",
+      .kind = SCHULER_FIELD_QUANTITY,
+      .offset = IN(requirement, drift_mps),
+      .required = true,
+      .dim = SCHULER_DIM_SPEED,
+      .min = 1e-9,
+      .max = 1e4,
+      .example = "1 nmi/h",
+      .doc = "largest allowed drift" },
+    { .key = "statistic",
+      .kind = SCHULER_FIELD_NODE,
+      .offset = IN(requirement, statistic),
+      .example = "CEP",
+      .doc = "CEP, R95 or rms; no default" },
+    { .key = NULL },
+};
+static const schuler_object requirement_object = {
+    .name = "requirement",
+    .doc = "what the navigator must meet",
+    .size = SIZE(requirement),
+    .fields = requirement_fields,
+};
+
+static const schuler_field report_fields[] = {
+    { .key = "every",
+      .kind = SCHULER_FIELD_QUANTITY,
+      .offset = IN(report, every_s),
+      .dim = SCHULER_DIM_TIME,
+      .def = NAN,
+      .min = 1e-3,
+      .max = 1e6,
+      .example = "10 s",
+      .doc = "interval at which errors are looked at" },
+    { .key = NULL },
+};
+static const schuler_object report_object = {
+    .name = "report",
+    .doc = "when errors are looked at",
+    .size = SIZE(report),
+    .fields = report_fields,
+};
+
+#define OBJECT(key_, doc_)                                                                         \
+    {                                                                                              \
+        .key = #key_, .kind = SCHULER_FIELD_OBJECT, .offset = AT(key_), .object = &key_##_object,  \
+        .doc = doc_                                                                                \
+    }
+static const schuler_field scenario_fields[] = {
+    { .key = "scenario",
+      .kind = SCHULER_FIELD_TEXT,
+      .offset = AT(name),
+      .required = true,
+      .example = "One hour at 45 N",
+      .doc = "what it is, in a few words" },
+    { .key = "seed",
+      .kind = SCHULER_FIELD_INTEGER,
+      .offset = AT(seed),
+      .def = 1,
+      .min = 0,
+      .max = 0x1p63,
+      .example = "42",
+      .doc = "of the random numbers" },
+    { .key = "runs",
+      .kind = SCHULER_FIELD_INTEGER,
+      .offset = AT(runs),
+      .def = 100,
+      .min = 1,
+      .max = 100000,
+      .example = "100",
+      .doc = "draws of the random errors" },
+    OBJECT(truth, "the real world"),
+    { .key = "trajectory",
+      .kind = SCHULER_FIELD_NODE,
+      .offset = AT(trajectory),
+      .required = true,
+      .example = "{kind: static, start: {lat: 45 deg, lon: 7 deg}, for: 1 h}",
+      .doc = "the true motion" },
+    { .key = "imu",
+      .kind = SCHULER_FIELD_NODE,
+      .offset = AT(imu),
+      .required = true,
+      .example = "{use: hg9900}",
+      .doc = "the inertial sensors" },
+    OBJECT(initial, "errors of the start"),
+    OBJECT(navigation, "the navigator"),
+    OBJECT(errors, "which error sources act"),
+    OBJECT(requirement, "what the navigator must meet"),
+    OBJECT(report, "when errors are looked at"),
+    { .key = NULL },
+};
+const schuler_object schuler_scenario_object = {
+    .name = "scenario",
+    .doc = "a scenario file",
+    .size = sizeof(schuler_scenario_file),
+    .fields = scenario_fields,
+};

@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: MIT */
+#include "scenarios/sources.h"
+#include <stdio.h>
+#include <string.h>
+
+static bool listed(const schuler_text_list *list, const char *id, const char *group)
+{
+    for (size_t i = 0; i < list->count; i++)
+        if (strcmp(list->items[i], id) == 0 || strcmp(list->items[i], group) == 0) return true;
+    return false;
+}
+
+bool schuler_source_selected(const schuler_scenario *s, const char *id, const char *group)
+{
+    if (s->only.count > 0 && !listed(&s->only, id, group)) return false;
+    return !listed(&s->without, id, group);
+}
+
+static int add(const schuler_scenario *s, error_source *out, int count, error_source source,
+               const char *key)
+{
+    snprintf(source.id, sizeof(source.id), "%s.%s", source.group, key);
+    if (source.value &&
+        (!source.value->given || schuler_value_is_zero(source.value, source.components)))
+        return count;
+    if (!schuler_source_selected(s, source.id, source.group)) return count;
+    if (source.value && source.value->draw != SCHULER_DRAW_FIXED) source.drawn = true;
+    out[count] = source;
+    return count + 1;
+}
+
+static int add_triad(const schuler_scenario *s, schuler_instrument instrument, error_source *out,
+                     int count)
+{
+    const schuler_triad *triad = &s->imu.triad[instrument];
+    if (!triad->model) return count;
+    const schuler_param *params = triad->model->params[instrument];
+    for (int p = 0; params && params[p].key; p++) {
+        if (params[p].number == 0) continue;
+        error_source source = {
+            .kind = SOURCE_SENSOR,
+            .instrument = instrument,
+            .param = p,
+            .number = params[p].number,
+            .components = params[p].components,
+            .value = &triad->values[p],
+            .drawn = params[p].noisy != 0,
+            .normals = params[p].noisy ? 3 : 0,
+        };
+        snprintf(source.group, sizeof(source.group), "%s", schuler_instrument_name(instrument));
+        count = add(s, out, count, source, params[p].key);
+    }
+    return count;
+}
+
+int schuler_sources_list(const schuler_scenario *s, error_source out[SOURCES_MAX])
+{
+    /* Numbers 1 to 4 belong to the start; sensor parameters have theirs from 100 on. */
+    const struct {
+        source_kind kind;
+        const char *key;
+        unsigned number;
+        int components;
+        const schuler_value *value;
+    } initial[] = {
+        { SOURCE_POSITION, "position", 1, 3, &s->position },
+        { SOURCE_VELOCITY, "velocity", 2, 3, &s->velocity },
+        { SOURCE_TILT, "tilt", 3, 2, &s->tilt },
+        { SOURCE_HEADING, "heading", 4, 1, &s->heading },
+    };
+    int count = add_triad(s, SCHULER_ACCEL, out, 0);
+    count = add_triad(s, SCHULER_GYRO, out, count);
+    for (size_t i = 0; i < sizeof(initial) / sizeof(initial[0]); i++)
+        count = add(s, out, count,
+                    (error_source){ .kind = initial[i].kind,
+                                    .group = "initial",
+                                    .number = initial[i].number,
+                                    .components = initial[i].components,
+                                    .value = initial[i].value },
+                    initial[i].key);
+    if (strcmp(s->truth_gravity, s->nav_gravity) != 0)
+        count = add(s, out, count, (error_source){ .kind = SOURCE_GRAVITY, .group = "gravity" },
+                    "disturbance");
+    return count;
+}
+
+double schuler_source_draw(const error_source *source, int component, uint64_t seed, uint64_t run)
+{
+    const schuler_value *v = source->value;
+    const schuler_stream stream = { seed, run, source->number, (unsigned)component,
+                                    SCHULER_USE_DRAW };
+    switch (v->draw) {
+    case SCHULER_DRAW_NORMAL:
+        return v->a[component] * schuler_stream_normal(stream, 0);
+    case SCHULER_DRAW_UNIFORM:
+        return v->a[component] + (v->b[component] - v->a[component]) * 0.5 *
+                                     (1.0 + schuler_stream_uniform(stream, 0));
+    default:
+        return v->a[component];
+    }
+}

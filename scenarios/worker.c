@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: MIT */
+#include "scenarios/worker.h"
+#include "scenarios/batch.h"
+#include <math.h>
+#include <stdlib.h>
+
+/* A report that falls into the current block: after `cut` of its samples. */
+typedef struct {
+    int cut;
+    size_t index; /* 0 is the start */
+    schuler_truth_state truth;
+} block_report;
+
+static void measure(const lane_batch_state *b, const lane_group *group,
+                    const schuler_truth_block *truth)
+{
+    const double *increments[SCHULER_INSTRUMENTS] = {
+        [SCHULER_ACCEL] = &truth->dv_ib_b[0][0],
+        [SCHULER_GYRO] = &truth->dtheta_ib_b[0][0],
+    };
+    for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
+        const schuler_model_block block = {
+            .first = truth->first,
+            .n = truth->n,
+            .stride = SCHULER_BLOCK,
+            .dt_s = truth->dt_s,
+            .own = increments[i],
+            .other = increments[1 - i],
+            .out = b->measured[i],
+        };
+        b->model[i]->apply(group->triad[i], &block);
+    }
+}
+
+/* Samples from .. from+n of the block that was measured last. */
+static void navigate(const lane_batch_state *b, const lane_group *group,
+                     const schuler_truth_block *truth, int from, int n)
+{
+    const schuler_nav_block block = {
+        .n = n,
+        .stride = SCHULER_BLOCK,
+        .dtheta = b->measured[SCHULER_GYRO] + from * b->width,
+        .dv = b->measured[SCHULER_ACCEL] + from * b->width,
+        .dg_nav_e = truth->has_dg ? &truth->dg_nav_e[0][from] : NULL,
+        .dg_truth_e = truth->has_dg ? &truth->dg_truth_e[0][from] : NULL,
+    };
+    b->frame->advance(group->nav, &block);
+}
+
+/* Errors of one group's lanes. Groups come in order and lanes of a chunk are in run order, so the
+ * sums over runs are taken in run order, whatever the width of a vector. */
+static schuler_status compare_group(const lane_batch_state *b, int g, const block_report *at,
+                                    batch_result *out, schuler_error *err)
+{
+    const size_t reports = b->plan->reports;
+    for (int place = 0; place < b->width; place++) {
+        const int i = g * b->width + place;
+        if (i >= b->count) break;
+        const batch_lane *l = &b->lanes[i];
+        schuler_nav_state nav;
+        b->frame->get(b->groups[g].nav, place, &nav);
+        const schuler_error_row row = schuler_compare(&nav, &at->truth);
+        double sum = row.roll_rad + row.pitch_rad + row.heading_rad;
+        for (int k = 0; k < 3; k++) sum += row.r_n[k] + row.v_n[k];
+        if (!isfinite(sum))
+            return schuler_fail(err, SCHULER_ERR_NUMERIC, NULL,
+                                "the navigator of '%s', run %d, was no longer finite at %.10g s",
+                                schuler_plan_row_id(b->plan, l->row), l->run, at->truth.t_s);
+        if (at->index > 0)
+            out->curve_m2[(size_t)l->chunk * reports + at->index - 1] +=
+                schuler_metrics_take(&out->metrics[l->result], &row);
+        if (out->rows) out->rows[(size_t)l->result * (reports + 1) + at->index] = row;
+    }
+    return SCHULER_OK;
+}
+
+/* The reports within samples first+1 .. first+n; out has room for SCHULER_BLOCK of them. */
+static int reports_in(const simulation_plan *p, int64_t first, int n, block_report *out)
+{
+    int count = 0;
+    for (int cut = 1; cut <= n; cut++) {
+        const int64_t step = first + cut;
+        if (step % p->report_steps != 0 && step != p->steps) continue;
+        out[count].cut = cut;
+        out[count].index = step == p->steps ? p->reports : (size_t)(step / p->report_steps);
+        schuler_truth_at(p->truth, (double)step * schuler_truth_dt(p->truth), &out[count].truth);
+        count++;
+    }
+    return count;
+}
+
+static schuler_status fly(const lane_batch_state *b, batch_tick tick, void *user, batch_result *out,
+                          schuler_error *err)
+{
+    const simulation_plan *p = b->plan;
+    const double dt_s = schuler_truth_dt(p->truth);
+    block_report reports[SCHULER_BLOCK];
+    reports[0].index = 0;
+    schuler_truth_at(p->truth, 0.0, &reports[0].truth);
+    schuler_status status = SCHULER_OK;
+    for (int g = 0; g < b->group_count && status == SCHULER_OK; g++)
+        status = compare_group(b, g, &reports[0], out, err);
+
+    for (int64_t first = 0; first < p->steps && status == SCHULER_OK; first += SCHULER_BLOCK) {
+        const int64_t left = p->steps - first;
+        const int n = left < SCHULER_BLOCK ? (int)left : SCHULER_BLOCK;
+        const int count = reports_in(p, first, n, reports);
+        schuler_truth_block truth;
+        schuler_truth_state end;
+        schuler_truth_block_compute(p->truth, p->isa, first, n, &truth);
+        const bool hold = p->scenario->vertical == SCHULER_VERTICAL_TRUTH && n == SCHULER_BLOCK;
+        if (hold) schuler_truth_at(p->truth, (double)(first + n) * dt_s, &end);
+
+        for (int g = 0; g < b->group_count && status == SCHULER_OK; g++) {
+            const lane_group *group = &b->groups[g];
+            measure(b, group, &truth);
+            int from = 0;
+            for (int r = 0; r < count && status == SCHULER_OK; r++) {
+                navigate(b, group, &truth, from, reports[r].cut - from);
+                from = reports[r].cut;
+                status = compare_group(b, g, &reports[r], out, err);
+            }
+            if (from < n) navigate(b, group, &truth, from, n - from);
+            if (hold) b->frame->hold_vertical(group->nav, end.llh.h_m, -end.v_n.v[2]);
+        }
+        if (status == SCHULER_OK && tick(user, (int64_t)n * b->count))
+            status = schuler_fail(err, SCHULER_ERR_INTERRUPTED, NULL, "interrupted");
+    }
+    return status;
+}
+
+schuler_status schuler_batch_run(const simulation_plan *plan, size_t index, bool rows_wanted,
+                                 batch_tick tick, void *user, batch_result *out, schuler_error *err)
+{
+    const lane_batch *work = &plan->batches[index];
+    const size_t lanes = (size_t)work->lanes;
+    lane_batch_state b;
+    schuler_status status = schuler_batch_state_make(&b, plan, index);
+    *out = (batch_result){
+        .metrics = calloc(lanes, sizeof(lane_metrics)),
+        .curve_m2 = calloc(work->chunks * plan->reports, sizeof(double)),
+    };
+    if (rows_wanted) out->rows = calloc(lanes * (plan->reports + 1), sizeof(*out->rows));
+    if (status != SCHULER_OK || !out->metrics || !out->curve_m2 || (rows_wanted && !out->rows))
+        status = schuler_fail(err, SCHULER_ERR_MEMORY, NULL, "out of memory");
+    if (status == SCHULER_OK) status = fly(&b, tick, user, out, err);
+    if (status != SCHULER_OK) {
+        schuler_batch_free(out);
+        *out = (batch_result){ 0 };
+    }
+    schuler_batch_state_free(&b);
+    return status;
+}
+
+void schuler_batch_free(batch_result *result)
+{
+    free(result->metrics);
+    free(result->curve_m2);
+    free(result->rows);
+}
