@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: MIT */
+/* With perfect sensors the navigator must return to the truth. */
+#include "mission.h"
+
+/* Largest horizontal error of the perfect navigator at any report, m. */
+static double closing_m(schuler_scenario *s)
+{
+    const schuler_run_options options = { .threads = 1 };
+    s->only = (schuler_text_list){ 0 };
+    s->runs = 1;
+    s->requirement.given = false;
+    /* No sources at all: a single lane. */
+    memset(s->imu.triad[0].values, 0, sizeof(s->imu.triad[0].values));
+    memset(s->imu.triad[1].values, 0, sizeof(s->imu.triad[1].values));
+    s->position.given = s->velocity.given = s->tilt.given = s->heading.given = false;
+    schuler_result *r = mission_run(s, &options);
+    const double max_m = r->none.rms_max_m;
+    assert_true(isfinite(max_m));
+    schuler_result_free(r);
+    return max_m;
+}
+
+/* Bounds in metres. What limits each flight is said in ARCHITECTURE.md: the kinks of the smooth
+ * ramps seen by a polynomial through past samples, and rounding. */
+static void every_gallery_mission_closes(void **state)
+{
+    (void)state;
+    const struct {
+        const char *name;
+        double bound_m;
+    } missions[] = {
+        { "static", 1e-6 }, /* increments are exact: only rounding                      */
+        { "manoeuvres", 1e-4 },
+        { "atlantic", 2e-4 },
+        { "tactical", 1e-4 },
+    };
+    for (size_t i = 0; i < sizeof(missions) / sizeof(missions[0]); i++) {
+        schuler_scenario *s = mission_gallery(missions[i].name, NULL);
+        const double max_m = closing_m(s);
+        print_message("%-12s closes to %.3g mm\n", missions[i].name, max_m * 1e3);
+        assert_true(max_m < missions[i].bound_m);
+        schuler_scenario_free(s);
+    }
+}
+
+/* At half the rate the error of a method of order p is 2^p times as large. The two-sample form is
+ * of order four in coning, its trapezoid-like rest of order two at least: between 2^2 and 2^5. */
+static void halving_the_step_follows_the_order(void **state)
+{
+    (void)state;
+    double error_m[2][3];
+    for (int order = 0; order < 2; order++)
+        for (int k = 0; k < 3; k++) {
+            schuler_scenario *s = mission_gallery("manoeuvres", NULL);
+            s->order = order == 0 ? 2 : 4;
+            s->imu.rate_hz = 12.5 * (1 << k);
+            error_m[order][k] = closing_m(s);
+            print_message("order %d, %g Hz: %.4g mm\n", s->order, s->imu.rate_hz,
+                          1e3 * error_m[order][k]);
+            schuler_scenario_free(s);
+        }
+    for (int order = 0; order < 2; order++)
+        for (int k = 0; k < 2; k++) assert_true(error_m[order][k] > 4.0 * error_m[order][k + 1]);
+}
+
+/* A navigation cycle of several samples is a coarser position and gravity step, nothing else. */
+static void slower_navigation_cycles_close_too(void **state)
+{
+    (void)state;
+    for (int samples = 2; samples <= 4; samples *= 2) {
+        schuler_scenario *s = mission_gallery("manoeuvres", NULL);
+        s->samples_per_update = samples;
+        const double max_m = closing_m(s);
+        print_message("%d samples an update: %.3g mm\n", samples, max_m * 1e3);
+        assert_true(max_m < 1e-3);
+        schuler_scenario_free(s);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_gallery_mission_closes),
+        cmocka_unit_test(halving_the_step_follows_the_order),
+        cmocka_unit_test(slower_navigation_cycles_close_too),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
