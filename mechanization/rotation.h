@@ -37,4 +37,19 @@ LANES_INLINE lanes3 rotation_velocity(lanes3 alpha, lanes3 upsilon)
     return lanes3_add(upsilon, lanes3_add(lanes3_scale(k1, once), lanes3_scale(k2, twice)));
 }
 
+/* What rotation_velocity lacks when rate and force change linearly: terms of two angles and one
+ * velocity, (T^4/24) [a x (a x f1) - b x (a x f0)],   omega = a + b t,  f = f0 + f1 t, from V3 =
+ * integral of A2 f with dA2/dt = [alpha x][omega x], less the constant-rate form's 1/6 alpha x
+ * (alpha x upsilon). With a, f0 the means of this cycle and b, f1 the differences to the one before
+ * it is 1/24 [alpha_before x (alpha x upsilon) - alpha x (alpha x upsilon_before)]. Without it the
+ * velocity is of third order in the length of a cycle. */
+LANES_INLINE lanes3 rotation_velocity_change(lanes3 alpha, lanes3 upsilon, lanes3 alpha_before,
+                                             lanes3 upsilon_before)
+{
+    const lanes3 now = lanes3_cross(alpha, upsilon);
+    const lanes3 before = lanes3_cross(upsilon_before, alpha);
+    const lanes3 sum = lanes3_add_cross(lanes3_cross(alpha_before, now), alpha, before);
+    return lanes3_scale(lanes_set(1.0 / 24.0), sum);
+}
+
 #endif

@@ -5,14 +5,14 @@
  * One navigation cycle of length T, w = Omega T z the earth's turn in it:
  *
  *     phi  = alpha + beta                                      rotation vector of the body
- *     u_e  = (1 - w/2 x) C_b_e [rotation_velocity(alpha, upsilon) + scul]    the earth turns meanwhile
+ *     u_e  = (1 - w/2 x) C_b_e [alpha, upsilon rotated + scul]    the earth turns meanwhile
  *     g    = gravity at the mean position of the cycle
- *     dv   = u_e + g T - 2 w x (v + dv_before/12 + 5/12 dv)    Coriolis of the mean velocity, solved for dv
- *     r   += T (v + dv/2 - (dv - dv_before)/12)
- *     q    = q(-w) q q(phi)
+ *     dv   = u_e + g T - 2 w x (v + dv_before/12 + 5/12 dv)    Coriolis of the mean velocity,
+ * solved for dv r   += T (v + dv/2 - (dv - dv_before)/12) q    = q(-w) q q(phi)
  *
- * Means take the acceleration as linear over this cycle and the one before. Left out: the change of force
- * during the earth's turn, w/12 x (u_e - u_before), which sums to w/12 x (the change of u_e). */
+ * Means take the acceleration as linear over this cycle and the one before. Left out: the change of
+ * force during the earth's turn, w/12 x (u_e - u_before), which sums to w/12 x (the change of u_e).
+ */
 #include "core/gravity_lanes.h"
 #include "mechanization/coning.h"
 #include "mechanization/rotation.h"
@@ -20,11 +20,12 @@
 typedef struct {
     lanes3 r, r_rest, v; /* m, what the sum of r has rounded away, m/s                  */
     lanes_quat q;        /* body to ECEF */
-    lanes3 dv_before;    /* velocity change of the cycle before, m/s                   */
+    lanes3 alpha_before, upsilon_before; /* sums of the cycle before */
+    lanes3 dv_before; /* velocity change of the cycle before, m/s                   */
     lanes3 past_d[SCHULER_PRIME], past_u[SCHULER_PRIME]; /* newest first */
     lanes knows_dg;                                      /* 1 where the navigator knows dg_truth */
     schuler_gravity_table gravity;
-    double T_s, turn_rad;          /* of a cycle; turn of the earth in it */
+    double T_s, turn_rad; /* of a cycle; turn of the earth in it */
     double implicit_rad, implicit_inverse;
     int order, samples;
 } ecef;
@@ -92,10 +93,14 @@ LANES_INLINE void update(ecef *n, coning_sums s, lanes3 dg)
 {
     const lanes T = lanes_set(n->T_s);
 
-    const lanes3 dv_b = lanes3_add(rotation_velocity(s.alpha, s.upsilon), s.scul);
+    const lanes3 dv_b = lanes3_add(
+        lanes3_add(rotation_velocity(s.alpha, s.upsilon), s.scul),
+        rotation_velocity_change(s.alpha, s.upsilon, n->alpha_before, n->upsilon_before));
+    n->alpha_before = s.alpha;
+    n->upsilon_before = s.upsilon;
     const lanes3 u_e = minus_turn(0.5 * n->turn_rad, lanes_quat_rotate(n->q, dv_b));
-    /* Means over the cycle, acceleration linear over two: r + T (v/2 + dv_before/6), and of the velocity
-     * v + dv_before/12 + 5/12 dv, the last part implicit. */
+    /* Means over the cycle, acceleration linear over two: r + T (v/2 + dv_before/6), and of the
+     * velocity v + dv_before/12 + 5/12 dv, the last part implicit. */
     const lanes3 r_mean =
         lanes3_add(n->r, lanes3_add(lanes3_scale(lanes_set(0.5 * n->T_s), n->v),
                                     lanes3_scale(lanes_set(n->T_s / 6.0), n->dv_before)));
@@ -105,7 +110,8 @@ LANES_INLINE void update(ecef *n, coning_sums s, lanes3 dg)
     const lanes a = u_e.x + g.x * T + explicit * v.y;
     const lanes b = u_e.y + g.y * T - explicit * v.x;
     const lanes inverse = lanes_set(n->implicit_inverse);
-    const lanes3 dv = { (a + implicit * b) * inverse, (b - implicit * a) * inverse, u_e.z + g.z * T };
+    const lanes3 dv = { (a + implicit * b) * inverse, (b - implicit * a) * inverse,
+                        u_e.z + g.z * T };
 
     /* Compensated sum: on a leg of constant velocity equal steps round alike, millions of times. */
     const lanes sixth = lanes_set(n->T_s / 12.0);
