@@ -18,8 +18,10 @@
 #include "mechanization/rotation.h"
 
 typedef struct {
-    lanes3 r, r_rest, v; /* m, what the sum of r has rounded away, m/s                  */
-    lanes_quat q;        /* body to ECEF */
+    lanes3 r, v;           /* m, m/s */
+    lanes_quat q;          /* body to ECEF */
+    lanes3 r_rest, v_rest; /* what their sums have rounded away */
+    lanes_quat q_rest;
     lanes3 alpha_before, upsilon_before; /* sums of the cycle before */
     lanes3 dv_before; /* velocity change of the cycle before, m/s                   */
     lanes3 past_d[SCHULER_PRIME], past_u[SCHULER_PRIME]; /* newest first */
@@ -63,7 +65,8 @@ static void init(void *state, const schuler_nav_setup *s)
     n->q =
         (lanes_quat){ lane_values(&first->q_b_e.w, stride), lane_values(&first->q_b_e.x, stride),
                       lane_values(&first->q_b_e.y, stride), lane_values(&first->q_b_e.z, stride) };
-    n->r_rest = (lanes3){ lanes_set(0.0), lanes_set(0.0), lanes_set(0.0) };
+    n->r_rest = n->v_rest = (lanes3){ lanes_set(0.0), lanes_set(0.0), lanes_set(0.0) };
+    n->q_rest = (lanes_quat){ lanes_set(0.0), lanes_set(0.0), lanes_set(0.0), lanes_set(0.0) };
     n->knows_dg = lane_values(s->dg_coefficient, sizeof(double));
     n->gravity = *s->gravity;
     n->samples = s->samples_per_update;
@@ -80,6 +83,8 @@ static void init(void *state, const schuler_nav_setup *s)
     /* The cycle before the start, seen from the start: the sample just before it, turned back by
      * half its angle, as if it had lasted the whole cycle. */
     const lanes cycle = lanes_set(n->T_s), scale = lanes_set((double)s->samples_per_update);
+    n->alpha_before = lanes3_scale(scale, n->past_d[0]);
+    n->upsilon_before = lanes3_scale(scale, n->past_u[0]);
     lanes3 u =
         lanes3_add_cross(n->past_u[0], lanes3_scale(lanes_set(0.5), n->past_u[0]), n->past_d[0]);
     u = lanes3_add(lanes_quat_rotate(n->q, lanes3_scale(scale, u)),
@@ -88,55 +93,97 @@ static void init(void *state, const schuler_nav_setup *s)
     n->dv_before = (lanes3){ n->dv_before.x - n->v.x + u.x, n->dv_before.y - n->v.y + u.y, u.z };
 }
 
+/* Position, velocity and attitude are r + sums.r and so on: what a block has added so far is summed
+ * up by itself, in numbers small enough to lose nothing, and joins the state once a block with the
+ * rest of the rounding carried. Else equal steps on a straight leg round alike a hundred thousand
+ * times: in the attitude 1e-12 rad in a quarter of an hour, which is several micrometres. */
+typedef struct {
+    lanes3 r, v;
+    lanes_quat q;
+} block_sums;
+
+LANES_INLINE lanes add_with_rest(lanes sum, lanes step, lanes *rest)
+{
+    const lanes whole = step + *rest, next = sum + whole;
+    *rest = whole - (next - sum);
+    return next;
+}
+
+LANES_INLINE lanes3 add3_with_rest(lanes3 sum, lanes3 step, lanes3 *rest)
+{
+    return (lanes3){ add_with_rest(sum.x, step.x, &rest->x), add_with_rest(sum.y, step.y, &rest->y),
+                     add_with_rest(sum.z, step.z, &rest->z) };
+}
+
+LANES_INLINE lanes_quat add4_with_rest(lanes_quat sum, lanes_quat step, lanes_quat *rest)
+{
+    return (lanes_quat){ add_with_rest(sum.w, step.w, &rest->w),
+                         add_with_rest(sum.x, step.x, &rest->x),
+                         add_with_rest(sum.y, step.y, &rest->y),
+                         add_with_rest(sum.z, step.z, &rest->z) };
+}
+
+LANES_INLINE void join(ecef *n, const block_sums *sums)
+{
+    n->r = add3_with_rest(n->r, sums->r, &n->r_rest);
+    n->v = add3_with_rest(n->v, sums->v, &n->v_rest);
+    n->q = add4_with_rest(n->q, sums->q, &n->q_rest);
+    /* One Newton step to unit norm, which has moved by rounding only. */
+    const lanes_quat q = n->q;
+    const lanes k =
+        lanes_set(0.5) - lanes_set(0.5) * (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    n->q = add4_with_rest(q, (lanes_quat){ k * q.w, k * q.x, k * q.y, k * q.z }, &n->q_rest);
+}
+
 /* The slow cycle. dg: what gravity has beyond the table, m/s^2. */
-LANES_INLINE void update(ecef *n, coning_sums s, lanes3 dg)
+LANES_INLINE void update(ecef *n, block_sums *sums, coning_sums s, lanes3 dg)
 {
     const lanes T = lanes_set(n->T_s);
-
+    const lanes3 v = lanes3_add(n->v, sums->v);
+    const lanes_quat q = { n->q.w + sums->q.w, n->q.x + sums->q.x, n->q.y + sums->q.y,
+                           n->q.z + sums->q.z };
     const lanes3 dv_b = lanes3_add(
         lanes3_add(rotation_velocity(s.alpha, s.upsilon), s.scul),
         rotation_velocity_change(s.alpha, s.upsilon, n->alpha_before, n->upsilon_before));
     n->alpha_before = s.alpha;
     n->upsilon_before = s.upsilon;
-    const lanes3 u_e = minus_turn(0.5 * n->turn_rad, lanes_quat_rotate(n->q, dv_b));
+    const lanes3 u_e = minus_turn(0.5 * n->turn_rad, lanes_quat_rotate(q, dv_b));
+
     /* Means over the cycle, acceleration linear over two: r + T (v/2 + dv_before/6), and of the
      * velocity v + dv_before/12 + 5/12 dv, the last part implicit. */
-    const lanes3 r_mean =
-        lanes3_add(n->r, lanes3_add(lanes3_scale(lanes_set(0.5 * n->T_s), n->v),
-                                    lanes3_scale(lanes_set(n->T_s / 6.0), n->dv_before)));
+    const lanes3 r_mean = lanes3_add(
+        n->r, lanes3_add(sums->r, lanes3_add(lanes3_scale(lanes_set(0.5 * n->T_s), v),
+                                             lanes3_scale(lanes_set(n->T_s / 6.0), n->dv_before))));
     const lanes3 g = lanes3_add(gravity_at(n, r_mean), dg);
-    const lanes3 v = lanes3_add(n->v, lanes3_scale(lanes_set(1.0 / 12.0), n->dv_before));
-    const lanes explicit = lanes_set(2.0 * n->turn_rad), implicit = lanes_set(n->implicit_rad);
-    const lanes a = u_e.x + g.x * T + explicit * v.y;
-    const lanes b = u_e.y + g.y * T - explicit * v.x;
+    const lanes twelfth = lanes_set(1.0 / 12.0);
+    const lanes w = lanes_set(2.0 * n->turn_rad), implicit = lanes_set(n->implicit_rad);
+    const lanes a = u_e.x + g.x * T + w * (v.y + twelfth * n->dv_before.y);
+    const lanes b = u_e.y + g.y * T - w * (v.x + twelfth * n->dv_before.x);
     const lanes inverse = lanes_set(n->implicit_inverse);
     const lanes3 dv = { (a + implicit * b) * inverse, (b - implicit * a) * inverse,
                         u_e.z + g.z * T };
 
-    /* Compensated sum: on a leg of constant velocity equal steps round alike, millions of times. */
-    const lanes sixth = lanes_set(n->T_s / 12.0);
-    const lanes3 five =
-        lanes3_scale(sixth, lanes3_add(lanes3_scale(lanes_set(5.0), dv), n->dv_before));
-    const lanes3 step = lanes3_add(lanes3_add(lanes3_scale(T, n->v), five), n->r_rest);
-    const lanes3 r = lanes3_add(n->r, step);
-    n->r_rest =
-        (lanes3){ step.x - (r.x - n->r.x), step.y - (r.y - n->r.y), step.z - (r.z - n->r.z) };
-    n->r = r;
-    n->v = lanes3_add(n->v, dv);
+    const lanes3 bend = lanes3_add(lanes3_scale(lanes_set(5.0), dv), n->dv_before);
+    const lanes3 dr = lanes3_add(lanes3_scale(T, v), lanes3_scale(lanes_set(n->T_s / 12.0), bend));
+    sums->r = lanes3_add(sums->r, dr);
+    sums->v = lanes3_add(sums->v, dv);
     n->dv_before = dv;
 
-    /* q += q (q(phi) - 1), then the turn of the earth: small steps added to 1 keep their digits. */
-    const lanes_quat d = rotation_increment(lanes3_add(s.alpha, s.beta)), q = n->q;
-    const lanes_quat p = {
-        q.w + (q.w * d.w - q.x * d.x - q.y * d.y - q.z * d.z),
-        q.x + (q.w * d.x + q.x * d.w + q.y * d.z - q.z * d.y),
-        q.y + (q.w * d.y - q.x * d.z + q.y * d.w + q.z * d.x),
-        q.z + (q.w * d.z + q.x * d.y - q.y * d.x + q.z * d.w),
+    /* The turn of the body, q (q(phi) - 1), and that of the earth. */
+    const lanes_quat d = rotation_increment(lanes3_add(s.alpha, s.beta));
+    const lanes_quat body = {
+        q.w * d.w - q.x * d.x - q.y * d.y - q.z * d.z,
+        q.w * d.x + q.x * d.w + q.y * d.z - q.z * d.y,
+        q.w * d.y - q.x * d.z + q.y * d.w + q.z * d.x,
+        q.w * d.z + q.x * d.y - q.y * d.x + q.z * d.w,
     };
+    const lanes_quat p = { q.w + body.w, q.x + body.x, q.y + body.y, q.z + body.z };
     const lanes ez = lanes_set(-0.5 * n->turn_rad);
     const lanes ew = lanes_set(-0.125 * n->turn_rad * n->turn_rad);
-    n->q = (lanes_quat){ p.w + (ew * p.w - ez * p.z), p.x + (ew * p.x - ez * p.y),
-                         p.y + (ew * p.y + ez * p.x), p.z + (ew * p.z + ez * p.w) };
+    sums->q = (lanes_quat){ sums->q.w + (body.w + (ew * p.w - ez * p.z)),
+                            sums->q.x + (body.x + (ew * p.x - ez * p.y)),
+                            sums->q.y + (body.y + (ew * p.y + ez * p.x)),
+                            sums->q.z + (body.z + (ew * p.z + ez * p.w)) };
 }
 
 LANES_INLINE lanes3 block_sample(const double *data, int stride, int k)
@@ -167,6 +214,9 @@ LANES_INLINE void advance_as(ecef *state, const schuler_nav_block *b, int order,
                              int has_dg)
 {
     ecef n = *state;
+    const lanes zero = lanes_set(0.0);
+    const lanes3 none = { zero, zero, zero };
+    block_sums block = { none, none, { zero, zero, zero, zero } };
     for (int k = 0; k + samples <= b->n; k += samples) {
         coning_sums sums;
         for (int l = 0; l < samples; l++) {
@@ -179,18 +229,10 @@ LANES_INLINE void advance_as(ecef *state, const schuler_nav_block *b, int order,
             remember(n.past_u, s.u, order);
         }
         /* Mid-cycle: the middle sample's value (of the two, the later). */
-        const lanes3 none = { lanes_set(0.0), lanes_set(0.0), lanes_set(0.0) };
-        update(&n, sums, has_dg ? block_dg(&n, b, k + samples / 2) : none);
+        update(&n, &block, sums, has_dg ? block_dg(&n, b, k + samples / 2) : none);
     }
+    join(&n, &block);
     *state = n;
-}
-
-static void renormalise(ecef *n)
-{
-    /* One Newton step: the norm has moved by rounding only. */
-    const lanes norm2 = n->q.w * n->q.w + n->q.x * n->q.x + n->q.y * n->q.y + n->q.z * n->q.z;
-    const lanes k = lanes_set(1.5) - lanes_set(0.5) * norm2;
-    n->q = (lanes_quat){ k * n->q.w, k * n->q.x, k * n->q.y, k * n->q.z };
 }
 
 static void advance(void *state, const schuler_nav_block *b)
@@ -205,7 +247,6 @@ static void advance(void *state, const schuler_nav_block *b)
         advance_as(n, b, 2, 1, 0);
     else
         advance_as(n, b, 4, 1, 0);
-    renormalise(n);
 }
 
 static void hold_vertical(void *state, double height_m, double v_up_mps)
@@ -216,8 +257,8 @@ static void hold_vertical(void *state, double height_m, double v_up_mps)
     const lanes3 up = lanes3_scale(lanes_set(1.0) / lanes_sqrt(lanes3_dot(along, along)), along);
     const lanes dh = lanes_set(height_m) - lanes_height(&n->gravity, n->r.x, n->r.y, n->r.z);
     const lanes dv = lanes_set(v_up_mps) - lanes3_dot(n->v, up);
-    n->r = lanes3_add(n->r, lanes3_scale(dh, up));
-    n->v = lanes3_add(n->v, lanes3_scale(dv, up));
+    n->r = add3_with_rest(n->r, lanes3_scale(dh, up), &n->r_rest);
+    n->v = add3_with_rest(n->v, lanes3_scale(dv, up), &n->v_rest);
 }
 
 static void get(const void *state, int lane, schuler_nav_state *out)

@@ -2,6 +2,7 @@
 /* The engine: same bytes for any threads and any width, common random numbers, order of delivery.
  */
 #include "mission.h"
+#include <malloc.h>
 
 static const char mission[] =
     "scenario: short flight\nseed: 5\nruns: 70\n"
@@ -59,6 +60,25 @@ static void threads_and_widths_give_the_same_bytes(void **state)
             schuler_result_free(r);
         }
     schuler_result_free(reference);
+    schuler_scenario_free(s);
+}
+
+/* Nothing may be computed from memory that was never written: fill what malloc gives with other
+ * bytes. */
+static void results_do_not_depend_on_what_memory_held(void **state)
+{
+    (void)state;
+    schuler_scenario *s = mission_text(mission);
+    const schuler_run_options options = { .threads = 1 };
+    schuler_result *results[2];
+    for (int i = 0; i < 2; i++) {
+        mallopt(M_PERTURB, i == 0 ? 0x11 : 0xbf);
+        results[i] = mission_run(s, &options);
+    }
+    mallopt(M_PERTURB, 0);
+    assert_same_bytes(results[0], results[1]);
+    schuler_result_free(results[0]);
+    schuler_result_free(results[1]);
     schuler_scenario_free(s);
 }
 
@@ -186,6 +206,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(threads_and_widths_give_the_same_bytes),
+        cmocka_unit_test(results_do_not_depend_on_what_memory_held),
         cmocka_unit_test(a_source_alone_repeats_its_part_of_the_budget),
         cmocka_unit_test(error_rows_come_in_order_and_agree_with_the_budget),
         cmocka_unit_test(a_failing_receiver_stops_the_run),
