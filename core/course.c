@@ -46,15 +46,15 @@ static void attitude(xvec n_e, xvec forward_e, long double speed, long double cl
     axes_e[2] = xvec_add_scaled(xvec_scale(cr, under_e), -sr, right_e);
 }
 
-static void flow_rhumb(const void *user, long double t_s, const schuler_course *course,
+static void flow_rhumb(const void *user, schuler_instant t, const schuler_course *course,
                        schuler_flow *out)
 {
     const schuler_phase *const phase = user;
     const xvec n = course->n_e;
-    const long double speed = schuler_channel_value(&phase->speed, t_s);
-    const long double climb = schuler_channel_rate(&phase->height, t_s);
-    const long double h = schuler_channel_value(&phase->height, t_s);
-    const long double heading = schuler_channel_value(&phase->heading, t_s);
+    const long double speed = schuler_channel_value(&phase->speed, t);
+    const long double climb = schuler_channel_rate(&phase->height, t);
+    const long double h = schuler_channel_value(&phase->height, t);
+    const long double heading = schuler_channel_value(&phase->heading, t);
     const xvec east_e = xvec_unit(xvec_make(-n.v[1], n.v[0], 0.0L));
     const xvec north_e = xvec_cross(n, east_e);
     const long double w2 = 1.0L - e2 * n.v[2] * n.v[2];
@@ -65,19 +65,19 @@ static void flow_rhumb(const void *user, long double t_s, const schuler_course *
                                     speed * sh / (R_P + h), east_e);
     out->u_rate_e = xvec_make(0.0L, 0.0L, 0.0L); /* not used by this flow */
     out->v_e = xvec_add_scaled(xvec_scale(speed, forward_e), climb, n);
-    const long double bank_rate = phase->banked ? schuler_channel_rate(&phase->heading, t_s) : 0.0L;
+    const long double bank_rate = phase->banked ? schuler_channel_rate(&phase->heading, t) : 0.0L;
     attitude(n, forward_e, speed, climb, bank_rate, out->axes_e);
 }
 
-static void flow_track(const void *user, long double t_s, const schuler_course *course,
+static void flow_track(const void *user, schuler_instant t, const schuler_course *course,
                        schuler_flow *out)
 {
     const schuler_phase *const phase = user;
     const xvec n = course->n_e, u = course->u_e;
-    const long double speed = schuler_channel_value(&phase->speed, t_s);
-    const long double climb = schuler_channel_rate(&phase->height, t_s);
-    const long double h = schuler_channel_value(&phase->height, t_s);
-    const long double turn_rate = schuler_channel_rate(&phase->heading, t_s);
+    const long double speed = schuler_channel_value(&phase->speed, t);
+    const long double climb = schuler_channel_rate(&phase->height, t);
+    const long double h = schuler_channel_value(&phase->height, t);
+    const long double turn_rate = schuler_channel_rate(&phase->heading, t);
     const xvec K = normal_turn(n, u);
     const xvec per_surface = xvec_add_scaled(u, h, K);
     const long double stretch = sqrtl(xvec_dot(per_surface, per_surface));

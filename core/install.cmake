@@ -5,12 +5,12 @@ include(CMakePackageConfigHelpers)
 
 # The public headers; everything a public header includes is one too (tests/guard/headers sees to it).
 set(SCHULER_PUBLIC_HEADERS
-  core/api.h core/document.h core/earth.h core/error.h core/geographic.h core/gravity.h core/isa.h
+  core/api.h core/document.h core/earth.h core/embedded.h core/error.h core/geographic.h core/gravity.h core/isa.h
   core/path.h core/random.h core/schema.h core/trajectory.h core/truth.h core/units.h core/vec.h
   mechanization/mechanization.h
-  scenarios/csv.h scenarios/digits.h scenarios/gallery.h scenarios/increments.h scenarios/metrics.h
-  scenarios/navigate.h scenarios/scenario.h
-  scenarios/simulation.h scenarios/trajectory_file.h
+  scenarios/bench.h scenarios/csv.h scenarios/digits.h scenarios/gallery.h scenarios/increments.h
+  scenarios/metrics.h scenarios/navigate.h scenarios/scenario.h scenarios/simulation.h
+  scenarios/source_count.h scenarios/trajectory_file.h
   sensors/catalog.h sensors/model.h)
 
 install(TARGETS schuler EXPORT schuler-targets)

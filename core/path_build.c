@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/path_build.h"
-#include "core/profile.h"
 #include <stdlib.h>
 
 enum {
     NODES = SCHULER_BUILD_NODES,
     MIDDLE = NODES / 2,
     PICARD_MAX = 60,
+    PATIENCE = 4,
     PIECES_MAX = 200000, /* 125 MB */
 };
 
@@ -14,7 +14,7 @@ static const double longest_s = 256.0, shortest_s = 1e-5;
 
 /* What the highest kept coefficients may be: relative to the rounding that double leaves anyway. */
 static const long double velocity_tail = 1e-14L; /* m/s at walking pace, more with speed */
-static const long double attitude_tail = 2e-17L; /* rad */
+static const long double attitude_tail = 5e-17L; /* rad */
 
 /* Everything about the nodes follows from T_k(cos x) = cos(k x) at x = pi j/(NODES - 1). */
 static void set_up(schuler_collocation *c)
@@ -92,7 +92,7 @@ static long double largest(xvec a)
 
 /* The course and the flow at all nodes of [t, t + T]; 0 when it does not settle. */
 static int solve(const schuler_path_builder *b, schuler_flow_function *flow, const void *user,
-                 long double t_s, long double T_s, schuler_course course[NODES],
+                 schuler_instant start, long double T_s, schuler_course course[NODES],
                  schuler_flow at[NODES])
 {
     const schuler_collocation *const c = &b->collocation;
@@ -101,7 +101,9 @@ static int solve(const schuler_path_builder *b, schuler_flow_function *flow, con
     long double change = 0.0L;
     for (int iteration = 0; iteration < PICARD_MAX; iteration++) {
         for (int j = 0; j < NODES; j++) {
-            flow(user, t_s + 0.5L * T_s * (c->s[j] + 1.0L), &course[j], &at[j]);
+            const schuler_instant t = { start.joint_s,
+                                        start.after_s + 0.5L * T_s * (c->s[j] + 1.0L) };
+            flow(user, t, &course[j], &at[j]);
             n_rate[j] = at[j].n_rate_e;
             u_rate[j] = at[j].u_rate_e;
         }
@@ -181,7 +183,6 @@ static xvec fill(const schuler_path_builder *b, long double T_s, const xvec v_e[
 static schuler_status append(schuler_path_builder *b, const schuler_piece *piece)
 {
     schuler_path *const path = b->path;
-    if (path->count >= PIECES_MAX) return SCHULER_ERR_NUMERIC;
     if (path->count == b->capacity) {
         const size_t capacity = b->capacity == 0 ? 16 : 2 * b->capacity;
         schuler_piece *const pieces = realloc(path->pieces, capacity * sizeof(*pieces));
@@ -198,13 +199,13 @@ typedef enum { TOO_LONG, GOOD, EASY } verdict;
 
 /* Solve one piece of length T and judge it; *course and *piece are what it gives. */
 static verdict try_piece(const schuler_path_builder *b, schuler_flow_function *flow,
-                         const void *user, double t_s, double T_s, schuler_course *course,
-                         schuler_piece *piece, xvec *r_end_e)
+                         const void *user, schuler_instant start, double T_s,
+                         schuler_course *course, schuler_piece *piece, xvec *r_end_e)
 {
     schuler_course courses[NODES];
     schuler_flow at[NODES];
     xvec v_e[NODES], rho[NODES];
-    if (!solve(b, flow, user, t_s, T_s, courses, at)) return TOO_LONG;
+    if (!solve(b, flow, user, start, T_s, courses, at)) return TOO_LONG;
     long double fastest = 0.0L;
     for (int j = 0; j < NODES; j++) {
         v_e[j] = at[j].v_e;
@@ -233,6 +234,7 @@ static verdict try_piece(const schuler_path_builder *b, schuler_flow_function *f
 schuler_status schuler_path_extend(schuler_path_builder *b, schuler_flow_function *flow,
                                    const void *user, double from_s, double to_s)
 {
+    int good = 0; /* pieces in a row */
     for (double t_s = from_s; t_s < to_s;) {
         /* Equal parts of what is left, so that no sliver remains at the end. */
         const double parts = ceil((to_s - t_s) / b->trial_s);
@@ -240,15 +242,18 @@ schuler_status schuler_path_extend(schuler_path_builder *b, schuler_flow_functio
         schuler_course course;
         schuler_piece piece;
         xvec r_end_e;
-        const verdict v = try_piece(b, flow, user, t_s, T_s, &course, &piece, &r_end_e);
+        const verdict v = try_piece(b, flow, user, (schuler_instant){ from_s, t_s - from_s }, T_s,
+                                    &course, &piece, &r_end_e);
         if (v == TOO_LONG) {
             b->trial_s = 0.5 * T_s;
+            good = 0;
             if (b->trial_s < shortest_s) {
                 b->trial_s = shortest_s;
                 return SCHULER_ERR_NUMERIC;
             }
             continue;
         }
+        if (++b->count > PIECES_MAX) return SCHULER_ERR_NUMERIC;
         if (b->path != NULL) {
             const schuler_status status = append(b, &piece);
             if (status != SCHULER_OK) return status;
@@ -257,7 +262,9 @@ schuler_status schuler_path_extend(schuler_path_builder *b, schuler_flow_functio
         b->r_e = r_end_e;
         b->t_s += T_s;
         t_s += T_s;
-        if (v == EASY) b->trial_s = fmin(2.0 * fmax(T_s, 0.5 * b->trial_s), longest_s);
+        /* Longer ones are also tried now and then where rounding hides how easy it was. */
+        if (v == EASY || ++good % PATIENCE == 0)
+            b->trial_s = fmin(2.0 * fmax(T_s, 0.5 * b->trial_s), longest_s);
     }
     return SCHULER_OK;
 }

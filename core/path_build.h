@@ -11,6 +11,7 @@
 #define SCHULER_CORE_PATH_BUILD_H
 
 #include "core/path.h"
+#include "core/profile.h"
 #include "core/xvec.h"
 
 /* A place on the ellipsoid and the way a track runs through it. Vectors, so that no place is
@@ -27,8 +28,8 @@ typedef struct {
 } schuler_flow;
 
 /* The motion at t for a course. */
-typedef void schuler_flow_function(const void *user, long double t_s, const schuler_course *course,
-                                   schuler_flow *out);
+typedef void schuler_flow_function(const void *user, schuler_instant t,
+                                   const schuler_course *course, schuler_flow *out);
 
 enum { SCHULER_BUILD_NODES = SCHULER_PIECE_DEGREE };
 
@@ -43,6 +44,7 @@ typedef struct {
 typedef struct {
     schuler_path *path; /* grows; NULL: only the course is followed, to try something out */
     size_t capacity;
+    size_t count;   /* pieces so far, kept or not */
     double t_s;     /* where the building is: ticks, exact                            */
     double trial_s; /* length of piece to try next                                    */
     xvec r_e;       /* position there; its rounding is carried from piece to piece    */

@@ -34,9 +34,20 @@ static long double smoothstep_integral(long double x)
     return x * x * x * x * (2.5L - x * (3.0L - x));
 }
 
-long double schuler_trapezoid_value(const schuler_trapezoid *z, long double t_s)
+/* Differences of ticks are exact, so the small of two times keeps its digits. */
+static long double since_start(schuler_instant t)
 {
-    const long double rest_s = schuler_trapezoid_duration(z) - t_s;
+    return t.joint_s + t.after_s;
+}
+
+static long double until_end(const schuler_trapezoid *z, schuler_instant t)
+{
+    return (schuler_trapezoid_duration(z) - t.joint_s) - t.after_s;
+}
+
+long double schuler_trapezoid_value(const schuler_trapezoid *z, schuler_instant t)
+{
+    const long double t_s = since_start(t), rest_s = until_end(z, t);
     if (t_s <= 0.0L) return 0.0L;
     if (rest_s <= 0.0L) return z->change;
     const long double rate = z->rate, ramp_s = z->ramp_s;
@@ -45,23 +56,28 @@ long double schuler_trapezoid_value(const schuler_trapezoid *z, long double t_s)
     return rate * (t_s - 0.5L * ramp_s);
 }
 
-long double schuler_trapezoid_rate(const schuler_trapezoid *z, long double t_s)
+long double schuler_trapezoid_rate(const schuler_trapezoid *z, schuler_instant t)
 {
-    const long double rest_s = schuler_trapezoid_duration(z) - t_s;
+    const long double t_s = since_start(t), rest_s = until_end(z, t);
     if (t_s <= 0.0L || rest_s <= 0.0L) return 0.0L;
     if (t_s < z->ramp_s) return z->rate * smoothstep(t_s / z->ramp_s);
     if (rest_s < z->ramp_s) return z->rate * smoothstep(rest_s / z->ramp_s);
     return z->rate;
 }
 
-long double schuler_channel_value(const schuler_channel *c, long double t_s)
+static schuler_instant shifted(const schuler_channel *c, schuler_instant t)
 {
-    return c->from + schuler_trapezoid_value(&c->trapezoid, t_s - c->start_s);
+    return (schuler_instant){ t.joint_s - c->start_s, t.after_s };
 }
 
-long double schuler_channel_rate(const schuler_channel *c, long double t_s)
+long double schuler_channel_value(const schuler_channel *c, schuler_instant t)
 {
-    return schuler_trapezoid_rate(&c->trapezoid, t_s - c->start_s);
+    return c->from + schuler_trapezoid_value(&c->trapezoid, shifted(c, t));
+}
+
+long double schuler_channel_rate(const schuler_channel *c, schuler_instant t)
+{
+    return schuler_trapezoid_rate(&c->trapezoid, shifted(c, t));
 }
 
 double schuler_channel_end(const schuler_channel *c)

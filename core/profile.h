@@ -18,6 +18,13 @@
 /** Nearest whole number of ticks, s. */
 double schuler_tick(double t_s);
 
+/* A time in two parts: whole ticks, where something begins, and what has passed since. Their sum
+ * would round at 1e-14 s after some days, which a sharp ramp at the end of a long change shows. */
+typedef struct {
+    double joint_s;
+    long double after_s;
+} schuler_instant;
+
 typedef struct {
     double change; /* in all                            */
     double rate;   /* of the plateau, per second; signed */
@@ -29,8 +36,8 @@ typedef struct {
 schuler_trapezoid schuler_trapezoid_make(double change, double rate_limit, double ramp_s);
 double schuler_trapezoid_duration(const schuler_trapezoid *z);
 /** Change so far, and rate, at t after the start; constant outside. */
-long double schuler_trapezoid_value(const schuler_trapezoid *z, long double t_s);
-long double schuler_trapezoid_rate(const schuler_trapezoid *z, long double t_s);
+long double schuler_trapezoid_value(const schuler_trapezoid *z, schuler_instant t);
+long double schuler_trapezoid_rate(const schuler_trapezoid *z, schuler_instant t);
 
 /* One quantity in a phase of the motion: its value at the start and one change. */
 typedef struct {
@@ -39,8 +46,8 @@ typedef struct {
     schuler_trapezoid trapezoid;
 } schuler_channel;
 
-long double schuler_channel_value(const schuler_channel *c, long double t_s);
-long double schuler_channel_rate(const schuler_channel *c, long double t_s);
+long double schuler_channel_value(const schuler_channel *c, schuler_instant t);
+long double schuler_channel_rate(const schuler_channel *c, schuler_instant t);
 /** Value after the change. */
 double schuler_channel_end(const schuler_channel *c);
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The `imu` section of a scenario: a part of the catalog or of a file, and what is changed in it. */
+/* The `imu` section of a scenario: a part of the catalog or of a file, and what is changed in it.
+ */
 #include "core/earth.h"
 #include "scenarios/part.h"
 #include <math.h>
@@ -94,10 +95,11 @@ static void read_triads(schuler_reading *r, const schuler_node *node, const imu_
             schuler_triad_read(r, own, paths[i], instrument, &imu->triad[i]);
             doubt_bias(r, grade, own, paths[i], instrument, &imu->triad[i]);
         } else if (!section->use) {
-            schuler_diagnose(r->d, SCHULER_ERR_INPUT, schuler_node_place(node),
-                             "'imu' needs the key '%s' (or 'use: NAME', a part of the catalog), for "
-                             "example: %s",
-                             key, fields[2 + i].example);
+            schuler_diagnose(
+                r->d, SCHULER_ERR_INPUT, schuler_node_place(node),
+                "'imu' needs the key '%s' (or 'use: NAME', a part of the catalog), for "
+                "example: %s",
+                key, fields[2 + i].example);
         }
         schuler_triad_finish(r, paths[i], instrument, &imu->triad[i]);
     }

@@ -119,12 +119,12 @@ static void check_provenance(schuler_reading *r, const schuler_part *part, const
     }
 }
 
-void schuler_part_read(schuler_reading *r, const schuler_document *doc, const char *name, bool strict,
-                       schuler_part *part)
+void schuler_part_read(schuler_reading *r, const schuler_document *doc, const char *name,
+                       bool strict, schuler_part *part)
 {
     part_file file;
-    const schuler_status rc = schuler_schema_read(schuler_document_root(doc), "", &part_object,
-                                                  &file, r->arena, r->d);
+    const schuler_status rc =
+        schuler_schema_read(schuler_document_root(doc), "", &part_object, &file, r->arena, r->d);
     if (rc == SCHULER_ERR_MEMORY) return;
     part->imu.name = name;
     part->imu.title = file.title ? file.title : name;

@@ -84,7 +84,8 @@ static void apply_overrides(schuler_document *doc, const schuler_overrides *o,
 
 static void override_sources(schuler_reading *r, const schuler_overrides *o, schuler_scenario *s)
 {
-    const char *const shown_only = schuler_arena_printf(r->arena, "--only %s", o->only ? o->only : "");
+    const char *const shown_only =
+        schuler_arena_printf(r->arena, "--only %s", o->only ? o->only : "");
     const char *const shown_without =
         schuler_arena_printf(r->arena, "--without %s", o->without ? o->without : "");
     if (o->only) schuler_split_words(r, o->only, shown_only, &s->only);

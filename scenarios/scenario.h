@@ -17,8 +17,8 @@ typedef struct {
 } schuler_triad;
 
 typedef struct {
-    const char *name;   /* catalog name, file name or "custom"                                    */
-    const char *title;  /* for people                                                             */
+    const char *name;  /* catalog name, file name or "custom"                                    */
+    const char *title; /* for people                                                             */
     double rate_hz;
     schuler_triad triad[SCHULER_INSTRUMENTS];
 } schuler_imu;
@@ -37,35 +37,35 @@ typedef struct {
 typedef struct schuler_scenario {
     const char *name;
     const char *file;
-    char sha256[65];                /* of the file's bytes, hex                                   */
+    char sha256[65]; /* of the file's bytes, hex                                   */
     uint64_t seed;
     int runs;
-    double report_s;                /* interval of the error reports; a whole number of blocks is not needed */
+    double report_s; /* interval of the error reports; a whole number of blocks is not needed */
     const char *truth_gravity;
     const schuler_trajectory_kind *trajectory;
     const void *trajectory_spec;
-    schuler_path path;              /* compiled from it                                           */
+    schuler_path path; /* compiled from it                                           */
     schuler_imu imu;
-    schuler_value position, velocity; /* initial errors, n-axes: 3 components, m and m/s           */
-    schuler_value tilt;             /* 2: phi_N, phi_E, rad (C_b_n computed = (I - [phi x]) C_b_n)  */
-    schuler_value heading;          /* 1: computed minus true heading, rad                        */
-    int frame;                      /* index into schuler_mechanizations()                        */
+    schuler_value position, velocity; /* initial errors, n-axes: 3 components, m and m/s */
+    schuler_value tilt;    /* 2: phi_N, phi_E, rad (C_b_n computed = (I - [phi x]) C_b_n)  */
+    schuler_value heading; /* 1: computed minus true heading, rad                        */
+    int frame;             /* index into schuler_mechanizations()                        */
     const char *nav_gravity;
     schuler_vertical vertical;
     int order, samples_per_update;
     schuler_text_list only, without;
     schuler_requirement requirement;
-    schuler_arena *arena;           /* owns what the members point to                             */
-    schuler_document **documents;   /* scenario and sensor files, owned                           */
+    schuler_arena *arena;         /* owns what the members point to                             */
+    schuler_document **documents; /* scenario and sensor files, owned                           */
     size_t document_count;
 } schuler_scenario;
 
 /* Changes from the command line. Zero-initialised = none. */
 typedef struct {
-    const char *const *set;         /* "key.path=value", count_set of them, in order              */
+    const char *const *set; /* "key.path=value", count_set of them, in order              */
     size_t count_set;
-    const char *imu;                /* --imu                                                     */
-    const char *only, *without;     /* comma-separated, replace errors.only / errors.without      */
+    const char *imu;            /* --imu                                                     */
+    const char *only, *without; /* comma-separated, replace errors.only / errors.without      */
     int has_seed, has_runs;
     uint64_t seed;
     int runs;
@@ -74,10 +74,9 @@ typedef struct {
 /** Read, check and compile a scenario file. Every mistake goes to d; nothing is printed or written.
  *  Returned   out   owned by the caller; NULL when there were errors (warnings alone do not count)
  *  Errors     SCHULER_ERR_INPUT, SCHULER_ERR_FILE, SCHULER_ERR_MEMORY, SCHULER_ERR_NUMERIC */
-SCHULER_API SCHULER_NODISCARD schuler_status schuler_scenario_load(schuler_scenario **out,
-                                                                   const char *path,
-                                                                   const schuler_overrides *overrides,
-                                                                   schuler_diagnostics *d);
+SCHULER_API SCHULER_NODISCARD schuler_status
+schuler_scenario_load(schuler_scenario **out, const char *path, const schuler_overrides *overrides,
+                      schuler_diagnostics *d);
 SCHULER_API void schuler_scenario_free(schuler_scenario *s); /* NULL is fine */
 
 /* A part as read from the catalog or a file, for `sensors show`. */
@@ -87,7 +86,7 @@ typedef struct {
 
 typedef struct {
     schuler_imu imu;
-    const char *maker, *grade, *technology, *notes; /* or NULL                                     */
+    const char *maker, *grade, *technology, *notes; /* or NULL */
     const schuler_source_text *sources;             /* the file's `sources`                       */
     size_t source_count;
     schuler_arena *arena;

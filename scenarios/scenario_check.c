@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Names of data sets are open: GeographicLib finds what is installed. A near miss of a known name is a
- * slip all the same, and a name is not a path. */
+/* Names of data sets are open: GeographicLib finds what is installed. A near miss of a known name
+ * is a slip all the same, and a name is not a path. */
 static const char *check_gravity(schuler_reading *r, const schuler_node *node, const char *what)
 {
     static const char *const known[] = { "wgs84", "grs80", "egm84", "egm96", "egm2008" };
@@ -53,10 +53,11 @@ static void check_requirement(schuler_reading *r, const schuler_scenario_file *f
                                   .place = file->requirement.place };
     const schuler_node *const node = file->requirement.statistic;
     if (!node) {
-        schuler_diagnose(r->d, SCHULER_ERR_INPUT, &file->requirement.place,
-                         "'requirement' needs the key 'statistic': CEP, R95 or rms. There is no "
-                         "default, because a drift limit means nothing without it: the sensors that "
-                         "drift 0.5 nmi/h CEP drift 1.0 nmi/h R95");
+        schuler_diagnose(
+            r->d, SCHULER_ERR_INPUT, &file->requirement.place,
+            "'requirement' needs the key 'statistic': CEP, R95 or rms. There is no "
+            "default, because a drift limit means nothing without it: the sensors that "
+            "drift 0.5 nmi/h CEP drift 1.0 nmi/h R95");
         return;
     }
     const char *text =
@@ -147,7 +148,8 @@ static void add_sensor_names(schuler_reading *r, const schuler_scenario *s, name
         if (!triad->model) continue;
         const schuler_param *const params = triad->model->params[i];
         for (int k = 0; params[k].key; k++)
-            if (params[k].number != 0) add_name(list, schuler_reading_path(r, group, params[k].key));
+            if (params[k].number != 0)
+                add_name(list, schuler_reading_path(r, group, params[k].key));
     }
 }
 
@@ -168,9 +170,10 @@ static void check_names(schuler_reading *r, const schuler_text_list *words, cons
 
 void schuler_scenario_check_sources(schuler_reading *r, const schuler_scenario *s)
 {
-    static const char *const others[] = { "initial",      "initial.position", "initial.velocity",
-                                          "initial.tilt", "initial.heading",  "gravity",
-                                          "gravity.disturbance", "numerical" };
+    static const char *const others[] = {
+        "initial",         "initial.position", "initial.velocity",    "initial.tilt",
+        "initial.heading", "gravity",          "gravity.disturbance", "numerical"
+    };
     /* Names of a triad whose model is not known cannot be judged. */
     for (int i = 0; i < SCHULER_INSTRUMENTS; i++)
         if (!s->imu.triad[i].model) return;

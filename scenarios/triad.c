@@ -68,8 +68,8 @@ static const char *walk_key(schuler_instrument instrument)
     return instrument == SCHULER_ACCEL ? "velocity_random_walk" : "angle_random_walk";
 }
 
-/* A data-sheet density, turned into the random walk N. With the two-sided convention N is the density
- * itself; a one-sided density holds twice the power, so N is smaller by sqrt(2). */
+/* A data-sheet density, turned into the random walk N. With the two-sided convention N is the
+ * density itself; a one-sided density holds twice the power, so N is smaller by sqrt(2). */
 static void read_density(schuler_reading *r, const schuler_node *node, const char *what,
                          schuler_instrument instrument, const schuler_param *walk,
                          schuler_value *out)

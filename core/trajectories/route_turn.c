@@ -9,7 +9,8 @@
 static const double sharpest_rad = 170.0 * SCHULER_RAD_PER_DEG;
 /* Turns below the first are none; below the second the begin hardly moves the end sideways. */
 static const double none_rad = 1e-12, slight_rad = 1e-4;
-/* GeographicLib is exact to 15 nm; a miss of this angle is 5 um after 5000 km. */
+/* What may be missed. The angle is 5 um after 5000 km; over a short leg GeographicLib's own 15 nm
+ * are more. */
 static const double miss_m = 1e-7, miss_rad = 1e-12;
 
 void route_locate(const schuler_course *course, double *lat_rad, double *lon_rad,
@@ -31,22 +32,24 @@ double route_wrap(double angle_rad)
     return wrapped <= -SCHULER_PI ? wrapped + 2.0 * SCHULER_PI : wrapped;
 }
 
+/* The ramps of a turn rate grow with it: ramp = per_rate * rate keeps roll rate (banked) or jerk
+ * (flat) at its limit. A turn too small for the full rate gets the rate whose ramps alone make it,
+ * so that a correction of a hundredth of a degree does not take the time of a full roll-in; a
+ * second at least. */
 static schuler_phase turn_phase(const route_point *p, double angle_rad)
 {
     const double v = p->speed_mps;
-    double rate_radps, ramp_s;
-    if (p->flat) {
-        rate_radps = v / p->manner.radius_m;
-        ramp_s = SCHULER_SMOOTHSTEP_SLOPE * v * rate_radps / p->manner.jerk_mps3;
-    } else {
-        const double tan_bank = tan(p->manner.bank_rad);
-        rate_radps = tan_bank * SCHULER_G0_MPS2 / v;
-        ramp_s = SCHULER_SMOOTHSTEP_SLOPE * tan_bank / p->manner.roll_rate_radps;
-    }
+    const double full_radps =
+        p->flat ? v / p->manner.radius_m : tan(p->manner.bank_rad) * SCHULER_G0_MPS2 / v;
+    const double per_rate =
+        SCHULER_SMOOTHSTEP_SLOPE * v /
+        (p->flat ? p->manner.jerk_mps3 : p->manner.roll_rate_radps * SCHULER_G0_MPS2);
+    const double rate_radps = fmin(full_radps, sqrt(fabs(angle_rad) / per_rate));
     schuler_phase phase = {
         .speed = { .from = v },
         .height = { .from = p->h_m },
-        .heading = { .trapezoid = schuler_trapezoid_make(angle_rad, rate_radps, ramp_s) },
+        .heading = { .trapezoid = schuler_trapezoid_make(angle_rad, rate_radps,
+                                                         fmax(per_rate * rate_radps, 1.0)) },
         .banked = !p->flat,
     };
     phase.duration_s = schuler_trapezoid_duration(&phase.heading.trapezoid);
@@ -56,7 +59,7 @@ static schuler_phase turn_phase(const route_point *p, double angle_rad)
 /* What a try ends with. */
 typedef struct {
     double off_m, off_rad; /* beside the next leg; direction against that to its far end */
-    double exit_m;         /* along the next leg */
+    double exit_m, left_m; /* along the next leg: from the waypoint, and to its far end */
 } miss;
 
 static schuler_status shoot(const route_plan *plan, size_t i, double entry_m,
@@ -78,8 +81,8 @@ static schuler_status shoot(const route_plan *plan, size_t i, double entry_m,
     const double beside_rad = route_wrap(bearing_rad - away->azimuth_rad);
     out->off_m = s_m * sin(beside_rad);
     out->exit_m = s_m * cos(beside_rad);
-    schuler_geodesic_inverse(lat_rad, lon_rad, next->lat_rad, next->lon_rad, &s_m, &bearing_rad,
-                             &unused);
+    schuler_geodesic_inverse(lat_rad, lon_rad, next->lat_rad, next->lon_rad, &out->left_m,
+                             &bearing_rad, &unused);
     out->off_rad = route_wrap(azimuth_rad - bearing_rad);
     return SCHULER_OK;
 }
@@ -97,7 +100,8 @@ static schuler_status newton(const route_plan *plan, size_t i, double *entry_m, 
         out->phase = turn_phase(p, *angle_rad);
         schuler_status status = shoot(plan, i, *entry_m, &out->phase, &at);
         if (status != SCHULER_OK) return status;
-        if ((fabs(at.off_m) < miss_m || slight) && fabs(at.off_rad) < miss_rad) {
+        if ((fabs(at.off_m) < miss_m || slight) &&
+            fabs(at.off_rad) < miss_rad + miss_m / at.left_m) {
             out->entry_m = *entry_m;
             out->exit_m = at.exit_m;
             return SCHULER_OK;
@@ -144,6 +148,11 @@ schuler_status route_solve_turn(const route_plan *plan, size_t i, route_turn *ou
     const schuler_phase guess = turn_phase(p, angle_rad);
     const double length_m = p->speed_mps * guess.duration_s / (1.0 + p->h_m / SCHULER_WGS84_A_M);
     double entry_m = 0.5 * length_m * tan(0.5 * angle_rad) / (0.5 * angle_rad);
+    if (entry_m >= plan->legs[i - 1].length_m || entry_m >= plan->legs[i].length_m) {
+        /* Hopeless: the check of the legs will say so, with these figures. */
+        *out = (route_turn){ .entry_m = entry_m, .exit_m = entry_m };
+        return SCHULER_OK;
+    }
     const schuler_status status = newton(plan, i, &entry_m, &angle_rad, out);
     if (status != SCHULER_OK)
         schuler_diagnose(d, status, p->place, "the turn at waypoint %s could not be solved",

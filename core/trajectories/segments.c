@@ -58,7 +58,8 @@ static schuler_status follow(flight *f, const schuler_phase *phase, const schule
                       "manoeuvres");
     f->speed_mps = schuler_channel_end(&phase->speed);
     f->h_m = schuler_channel_end(&phase->height);
-    f->heading_rad = schuler_channel_end(&phase->heading);
+    /* Many turns make large angles, which lose digits. */
+    f->heading_rad = (double)remainderl(schuler_channel_end(&phase->heading), 2.0L * acosl(-1.0L));
     return SCHULER_OK;
 }
 
