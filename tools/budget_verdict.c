@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: MIT */
+#include "tools/budget_table.h"
+#include "tools/result_units.h"
+#include "tools/terminal.h"
+#include <math.h>
+
+exit_code budget_exit(const schuler_result *result)
+{
+    switch (result->judgement.verdict) {
+    case SCHULER_VERDICT_FAIL:
+        return EXIT_NOT_MET;
+    case SCHULER_VERDICT_INCONCLUSIVE:
+        return EXIT_INCONCLUSIVE;
+    case SCHULER_VERDICT_NONE:
+    case SCHULER_VERDICT_PASS:
+        break;
+    }
+    return EXIT_DONE;
+}
+
+static colour colour_of(schuler_verdict verdict)
+{
+    switch (verdict) {
+    case SCHULER_VERDICT_PASS:
+        return COLOUR_GREEN;
+    case SCHULER_VERDICT_FAIL:
+        return COLOUR_RED;
+    case SCHULER_VERDICT_INCONCLUSIVE:
+        return COLOUR_YELLOW;
+    case SCHULER_VERDICT_NONE:
+        break;
+    }
+    return COLOUR_NONE;
+}
+
+static const schuler_budget_row *largest(const schuler_result *result,
+                                         const schuler_budget_row *below)
+{
+    const schuler_budget_row *found = NULL;
+    for (size_t i = 0; i < result->row_count; i++) {
+        const schuler_budget_row *row = &result->rows[i];
+        if (below && (row == below || row->share > below->share ||
+                      (row->share == below->share && row < below)))
+            continue;
+        if (!found || row->share > found->share) found = row;
+    }
+    return found;
+}
+
+/* Sources until three quarters of the variance are explained, at most three. */
+static void put_blame(FILE *out, const schuler_result *result)
+{
+    const schuler_requirement *required = &result->scenario->requirement;
+    const schuler_budget_row *row = largest(result, NULL);
+    double explained = 0.0;
+    for (int i = 0; row && row->share > 0.0 && i < 3 && explained < 0.75; i++) {
+        const double alone = nmi_per_h(statistic_of(row, required->statistic));
+        fprintf(out, "  %s %s with %.1f %% of the variance; alone it drifts %.*f nmi/h %s\n",
+                i ? "then    " : "to blame", row->id, 100.0 * row->share,
+                decimals_for(alone) > 6 ? 6 : decimals_for(alone), alone,
+                statistic_name(required->statistic));
+        explained += row->share;
+        row = largest(result, row);
+    }
+}
+
+/* The interval shrinks with the square root of the runs. */
+static void put_more_runs(FILE *out, const schuler_result *result)
+{
+    const schuler_judgement *j = &result->judgement;
+    const double gap = fabs(j->value_mps - result->scenario->requirement.drift_mps);
+    if (!isfinite(j->upper_mps) || j->lower_mps <= 0.0) {
+        fprintf(out, "  too few runs for limits: %d were made; try --runs 100\n", result->runs);
+        return;
+    }
+    const double width = fmax(j->upper_mps - j->value_mps, j->value_mps - j->lower_mps);
+    const double runs =
+        gap > 0.0 ? ceil(result->runs * (width / gap) * (width / gap)) : (double)INFINITY;
+    if (runs <= 100000.0)
+        fprintf(out, "  about %.0f runs would tell (--runs %.0f)\n", runs, runs);
+    else
+        fprintf(out, "  the drift is too close to the limit to be told from it\n");
+}
+
+static void put_limits(FILE *out, const schuler_judgement *j, int decimals)
+{
+    if (j->lower_mps == j->upper_mps) {
+        fputs(" (nothing is drawn, every run is the same)", out);
+        return;
+    }
+    if (!isfinite(j->upper_mps) || j->lower_mps <= 0.0) {
+        fprintf(out, " (too few runs for %g %% limits)", 100.0 * j->confidence);
+        return;
+    }
+    fprintf(out, " (%g %% limits %.*f to ", 100.0 * j->confidence, decimals,
+            nmi_per_h(j->lower_mps));
+    fprintf(out, "%.*f)", decimals, nmi_per_h(j->upper_mps));
+}
+
+void budget_verdict(FILE *out, const schuler_result *result)
+{
+    const schuler_requirement *required = &result->scenario->requirement;
+    const schuler_judgement *j = &result->judgement;
+    int decimals = decimals_for(nmi_per_h(result->all.cep_mps));
+    if (decimals > 6) decimals = 6;
+    if (!required->given) {
+        fprintf(out, "Drift %.*f nmi/h CEP, %.*f nmi/h R95; no requirement is stated\n", decimals,
+                nmi_per_h(result->all.cep_mps), decimals, nmi_per_h(result->all.r95_mps));
+        return;
+    }
+    const double value = nmi_per_h(j->value_mps), limit = nmi_per_h(required->drift_mps);
+    const char *statistic = statistic_name(required->statistic);
+    decimals = decimals_for(value) > 6 ? 6 : decimals_for(value);
+    fprintf(out, "%s%s%s  drift %.*f nmi/h %s", terminal_colour(stdout, colour_of(j->verdict)),
+            verdict_name(j->verdict), terminal_plain(stdout), decimals, value, statistic);
+    put_limits(out, j, decimals);
+    fprintf(out, ", limit %g nmi/h %s\n", limit, statistic);
+    if (j->verdict == SCHULER_VERDICT_PASS) {
+        const schuler_budget_row *row = largest(result, NULL);
+        fprintf(out, "  margin %.3g %%", 100.0 * (1.0 - value / limit));
+        if (row && row->share > 0.0)
+            fprintf(out, "; largest source: %s with %.1f %% of the variance", row->id,
+                    100.0 * row->share);
+        fputc('\n', out);
+    } else if (j->verdict == SCHULER_VERDICT_FAIL) {
+        put_blame(out, result);
+    } else {
+        put_more_runs(out, result);
+    }
+}

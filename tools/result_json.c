@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT */
+#include "tools/result_json.h"
+#include "tools/result_units.h"
+
+static json_t *horizontal(const schuler_budget_row *row)
+{
+    return json_pack("{s:o, s:o}", "at_end", json_of_number(row->rms_end_m), "max",
+                     json_of_number(row->rms_max_m));
+}
+
+static json_t *budget(const schuler_result *result)
+{
+    json_t *list = json_array();
+    for (size_t i = 0; list && i < result->row_count; i++) {
+        const schuler_budget_row *row = &result->rows[i];
+        json_t *item =
+            json_pack("{s:s, s:s, s:o, s:b, s:o, s:o, s:o}", "source", row->id, "group", row->group,
+                      "value", json_of_text(row->value_text), "assumed", (int)row->assumed,
+                      "horizontal_rms_m", horizontal(row), "drift_cep_nmi_per_h",
+                      json_of_number(nmi_per_h(row->cep_mps)), "share", json_of_number(row->share));
+        if (!item || json_array_append_new(list, item) != 0) {
+            json_decref(list);
+            return NULL;
+        }
+    }
+    return list;
+}
+
+static json_t *requirement(const schuler_result *result)
+{
+    const schuler_requirement *required = &result->scenario->requirement;
+    const schuler_judgement *judged = &result->judgement;
+    return json_pack("{s:o, s:s, s:o, s:o, s:o, s:o, s:s}", "limit_nmi_per_h",
+                     json_of_number(nmi_per_h(required->drift_mps)), "statistic",
+                     statistic_name(required->statistic), "value_nmi_per_h",
+                     json_of_number(nmi_per_h(judged->value_mps)), "lower",
+                     json_of_number(nmi_per_h(judged->lower_mps)), "upper",
+                     json_of_number(nmi_per_h(judged->upper_mps)), "confidence",
+                     json_of_number(judged->confidence), "verdict", verdict_name(judged->verdict));
+}
+
+json_t *result_json(const schuler_result *result)
+{
+    const schuler_scenario *scenario = result->scenario;
+    json_t *root =
+        json_pack("{s:s, s:s, s:{s:o, s:s}, s:o, s:I, s:i, s:o, s:o, s:{s:o, s:o, s:o}, s:{s:o}, "
+                  "s:{s:{s:o}}}",
+                  "format", "schuler-result-1", "version", SCHULER_VERSION, "scenario", "name",
+                  json_of_text(scenario->name), "sha256", scenario->sha256, "imu",
+                  json_of_text(scenario->imu.name), "seed", (json_int_t)scenario->seed, "runs",
+                  result->runs, "duration_s", json_of_number(result->duration_s), "budget",
+                  budget(result), "all", "horizontal_rms_m", horizontal(&result->all),
+                  "drift_cep_nmi_per_h", json_of_number(nmi_per_h(result->all.cep_mps)),
+                  "drift_r95_nmi_per_h", json_of_number(nmi_per_h(result->all.r95_mps)), "none",
+                  "horizontal_rms_m", horizontal(&result->none), "rss", "horizontal_rms_m",
+                  "at_end", json_of_number(result->rss_end_m));
+    if (root && scenario->requirement.given &&
+        json_object_set_new(root, "requirement", requirement(result)) != 0) {
+        json_decref(root);
+        return NULL;
+    }
+    return root;
+}

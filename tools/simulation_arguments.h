@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/* The switches that all verbs share which simulate a scenario. */
+#ifndef SCHULER_TOOLS_SIMULATION_ARGUMENTS_H
+#define SCHULER_TOOLS_SIMULATION_ARGUMENTS_H
+
+#include "core/isa.h"
+#include "scenarios/scenario.h"
+#include <argp.h>
+#include <stdbool.h>
+
+enum { SIMULATION_SET_MAX = 256 };
+
+typedef struct {
+    const char *file;
+    const char *json, *directory;
+    int threads; /* 0 = all processors */
+    bool has_isa, quiet, all;
+    schuler_isa isa;
+    schuler_overrides overrides;
+    const char *set[SIMULATION_SET_MAX];
+} simulation_arguments;
+
+/* For .children of a verb's argp; its input must be a simulation_arguments. */
+extern const struct argp simulation_argp;
+
+/** The overrides as switches ("--seed 7 --set 'a.b=1 m'"), for provenance; to be freed, NULL when
+ * out of memory. */
+char *simulation_switches(const simulation_arguments *arguments);
+
+#endif

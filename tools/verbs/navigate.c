@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: MIT */
+/* schuler navigate: mechanize recorded increments, compare with a reference. */
+#include "scenarios/navigate.h"
+#include "mechanization/mechanization.h"
+#include "tools/arguments.h"
+#include "tools/json.h"
+#include "tools/messages.h"
+#include "tools/names.h"
+#include "tools/outfile.h"
+#include "tools/page.h"
+#include "tools/result_units.h"
+#include "tools/stop.h"
+#include "tools/terminal.h"
+#include <string.h>
+
+enum {
+    KEY_IMU = 1000,
+    KEY_REFERENCE,
+    KEY_OUT,
+    KEY_FRAME,
+    KEY_GRAVITY,
+    KEY_VERTICAL,
+    KEY_ORDER,
+    KEY_JSON
+};
+
+typedef struct {
+    const char *out, *json, *frame, *vertical;
+    bool quiet;
+    schuler_navigate_options options;
+} navigate_arguments;
+
+static const struct argp_option options[] = {
+    { "imu", KEY_IMU, "FILE", 0, "recorded increments, CSV", 0 },
+    { "reference", KEY_REFERENCE, "FILE", 0, "trajectory to start from and compare with, CSV", 0 },
+    { "out", KEY_OUT, "FILE", 0, "the navigator's trajectory, at the reference's times", 0 },
+    { "frame", KEY_FRAME, "NAME", 0, "navigation frame (default ecef)", 0 },
+    { "gravity", KEY_GRAVITY, "NAME", 0, "wgs84 (default), grs80 or an installed data set", 0 },
+    { "vertical", KEY_VERTICAL, "MODE", 0, "free (default), or truth: held to the reference", 0 },
+    { "order", KEY_ORDER, "N", 0, "samples for coning and sculling: 2 or 4 (default)", 0 },
+    { "json", KEY_JSON, "FILE", 0, "errors as JSON; - is standard output", 0 },
+    { "quiet", 'q', NULL, 0, "print no errors, no warnings, no progress", 0 },
+    { 0 },
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    static const char *const verticals[] = { "free", "truth", NULL }, *const orders[] = { "2", "4",
+                                                                                          NULL };
+    const char *known[NAMES_MAX];
+    navigate_arguments *a = state->input;
+    switch (key) {
+    case KEY_IMU:
+        a->options.imu_file = arg;
+        return 0;
+    case KEY_REFERENCE:
+        a->options.reference_file = arg;
+        return 0;
+    case KEY_OUT:
+        a->out = arg;
+        return 0;
+    case KEY_FRAME:
+        names_of_frames(known);
+        a->options.frame = arguments_choice(state, "--frame", arg, known);
+        a->frame = arg;
+        return 0;
+    case KEY_GRAVITY:
+        a->options.gravity = arg;
+        return 0;
+    case KEY_VERTICAL:
+        a->options.hold_vertical = arguments_choice(state, "--vertical", arg, verticals);
+        a->vertical = arg;
+        return 0;
+    case KEY_ORDER:
+        a->options.order = arguments_choice(state, "--order", arg, orders) ? 4 : 2;
+        return 0;
+    case KEY_JSON:
+        a->json = arg;
+        return 0;
+    case 'q':
+        a->quiet = true;
+        return 0;
+    case ARGP_KEY_ARG:
+        argp_error(state, "files are given with --imu, --reference, --out, not '%s'", arg);
+        return 0;
+    case ARGP_KEY_END:
+        if (!a->options.imu_file || !a->options.reference_file || !a->out)
+            argp_error(state, "--imu, --reference and --out are all needed");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp argp = {
+    .options = options,
+    .parser = parse,
+    .args_doc = "--imu FILE --reference FILE --out FILE",
+    .doc = "Navigate over recorded increments: start from the reference's first row, write the "
+           "trajectory at the reference's times and print how far it is off. The format is that of "
+           "'schuler truth'; each time of the reference must be one of the increments' times."
+           "\vExamples:\n"
+           "  schuler navigate --imu imu.csv --reference reference.csv --out nav.csv\n"
+           "  schuler navigate --imu imu.csv --reference reference.csv --out nav.csv \\\n"
+           "      --vertical truth --json -\n" ARGUMENTS_EXIT_STATUS,
+};
+
+typedef struct {
+    progress bar;
+    outfile out;
+} sink;
+
+static schuler_status on_row(void *user, const schuler_trajectory_row *row)
+{
+    sink *s = user;
+    char line[SCHULER_TRAJECTORY_LINE_MAX];
+    fwrite(line, 1, schuler_trajectory_line(line, row), s->out.file);
+    return ferror(s->out.file) ? SCHULER_ERR_FILE : SCHULER_OK;
+}
+
+static void on_progress(void *user, double fraction)
+{
+    sink *s = user;
+    progress_show(&s->bar, fraction);
+}
+
+/* The shown figures: name, JSON key and unit, and how many of the unit make the SI unit. */
+typedef struct {
+    const char *name, *key, *unit;
+    const schuler_error_figures *figures;
+    double per_si;
+} shown;
+
+enum { SHOWN = 4 };
+
+static void list_shown(const schuler_navigate_result *r, shown out[SHOWN])
+{
+    out[0] = (shown){ "horizontal position", "horizontal_m", "m", &r->horizontal_m, 1.0 };
+    out[1] = (shown){ "height", "height_m", "m", &r->height_m, 1.0 };
+    out[2] = (shown){ "velocity", "velocity_mps", "m/s", &r->velocity_mps, 1.0 };
+    out[3] = (shown){ "attitude", "attitude_arcsec", "arcsec", &r->attitude_rad,
+                      SCHULER_ARCSEC_PER_RAD };
+}
+
+static exit_code print_errors(const schuler_navigate_result *r, const navigate_arguments *a)
+{
+    page p;
+    shown lines[SHOWN];
+    page_open(&p);
+    if (!p.out) return page_show(&p);
+    list_shown(r, lines);
+    page_duration(p.out, r->duration_s);
+    fprintf(p.out, "   %lld increments of %g s   frame %s, gravity %s, vertical %s, order %d\n\n",
+            (long long)r->steps, r->dt_s, a->frame, a->options.gravity, a->vertical,
+            a->options.order);
+    fprintf(p.out, "  %-22s %15s %15s %15s\n", "error", "final", "max", "rms");
+    for (int i = 0; i < SHOWN; i++) {
+        const schuler_error_figures *f = lines[i].figures;
+        const double k = lines[i].per_si;
+        fprintf(p.out, "  %-22s %15.6g %15.6g %15.6g  %s\n", lines[i].name, k * f->final,
+                k * f->max, k * f->rms, lines[i].unit);
+    }
+    return page_show(&p);
+}
+
+static json_t *errors_json(const schuler_navigate_result *r, const navigate_arguments *a)
+{
+    shown lines[SHOWN];
+    list_shown(r, lines);
+    json_t *errors = json_object();
+    for (int i = 0; errors && i < SHOWN; i++) {
+        const schuler_error_figures *f = lines[i].figures;
+        const double k = lines[i].per_si;
+        json_object_set_new(errors, lines[i].key,
+                            json_pack("{s:o, s:o, s:o}", "final", json_of_number(k * f->final),
+                                      "max", json_of_number(k * f->max), "rms",
+                                      json_of_number(k * f->rms)));
+    }
+    return json_pack("{s:s, s:s, s:s, s:o, s:s, s:i, s:o, s:o, s:I, s:I, s:o}", "format",
+                     "schuler-navigate-1", "version", SCHULER_VERSION, "frame", a->frame, "gravity",
+                     json_of_text(a->options.gravity), "vertical", a->vertical, "order",
+                     a->options.order, "dt_s", json_of_number(r->dt_s), "duration_s",
+                     json_of_number(r->duration_s), "increments", (json_int_t)r->steps, "rows",
+                     (json_int_t)r->rows, "errors", errors);
+}
+
+static exit_code deliver(const schuler_navigate_result *r, const navigate_arguments *a, sink *s)
+{
+    exit_code code = outfile_publish(&s->out);
+    if (code != EXIT_DONE) return code;
+    if (r->reference_goes_on && !a->quiet)
+        say_warning(
+            "the reference goes on after the last increment; compared up to %.9g s after its "
+            "first row",
+            r->duration_s);
+    if (r->rows == 1 && !a->quiet)
+        say_warning("nothing to compare: only the reference's first row is left");
+    if (a->json) code = json_write(errors_json(r, a), a->json);
+    if (code == EXIT_DONE && !a->quiet && !(a->json && strcmp(a->json, "-") == 0))
+        code = print_errors(r, a);
+    return code;
+}
+
+exit_code verb_navigate(int argc, char **argv)
+{
+    navigate_arguments a = { .frame = "ecef",
+                             .vertical = "free",
+                             .options = { .gravity = "wgs84", .order = 4 } };
+    a.options.frame = schuler_mechanization_find(a.frame);
+    arguments_parse(&argp, argc, argv, &a);
+    sink s = { .bar = progress_start(a.quiet) };
+    exit_code code = outfile_open(&s.out, a.out);
+    if (code != EXIT_DONE) return code;
+    fputs(SCHULER_TRAJECTORY_HEADER "\n", s.out.file);
+    a.options.row = on_row;
+    a.options.progress = on_progress;
+    a.options.user = &s;
+    a.options.stop = stop_flag();
+    stop_catch();
+    schuler_navigate_result result;
+    schuler_error error = { 0 };
+    const schuler_status status = schuler_navigate(&a.options, &result, &error);
+    progress_end(&s.bar);
+    code = exit_of(status);
+    if (status == SCHULER_OK)
+        code = deliver(&result, &a, &s);
+    else if (status == SCHULER_ERR_INTERRUPTED)
+        fputs("schuler: interrupted; nothing was written\n", stderr);
+    else if (status == SCHULER_ERR_FILE && ferror(s.out.file))
+        code = outfile_complete(&s.out); /* says why */
+    else {
+        say_error(&error);
+        /* The only files the library reads here are input. */
+        if (status == SCHULER_ERR_FILE) code = EXIT_INPUT;
+    }
+    outfile_drop(&s.out);
+    return code;
+}

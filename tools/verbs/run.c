@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: MIT */
+/* schuler run: simulate a scenario, print its error budget and verdict. */
+#include "tools/arguments.h"
+#include "tools/budget_table.h"
+#include "tools/messages.h"
+#include "tools/outfile.h"
+#include "tools/page.h"
+#include "tools/result_csv.h"
+#include "tools/result_json.h"
+#include "tools/simulation_arguments.h"
+#include "tools/stop.h"
+#include "tools/terminal.h"
+#include <stdlib.h>
+#include <string.h>
+
+static const struct argp_option options[] = {
+    { "all", 'a', NULL, 0, "show every source, however small", 0 },
+    { 0 },
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    simulation_arguments *a = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = a;
+        return 0;
+    case 'a':
+        a->all = true;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (a->file) argp_error(state, "one scenario file, not also '%s'", arg);
+        a->file = arg;
+        return 0;
+    case ARGP_KEY_END:
+        if (!a->file) argp_error(state, "which scenario file? ('schuler init' lists templates)");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = { { &simulation_argp, 0, NULL, 0 }, { 0 } };
+static const struct argp argp = {
+    .options = options,
+    .parser = parse,
+    .children = children,
+    .args_doc = "FILE",
+    .doc = "Simulate a scenario: error budget per source, drift, verdict."
+           "\vExamples:\n"
+           "  schuler run scenarios/atlantic.yaml\n"
+           "  schuler run flight.yaml --imu stim300 --runs 400 --json -\n"
+           "  schuler run flight.yaml --set 'imu.gyro.bias=0.01 deg/h' -o "
+           "result\n" ARGUMENTS_VERDICT_STATUS,
+};
+
+/* What the engine's callbacks write to. */
+typedef struct {
+    progress *progress;
+    FILE *errors; /* or NULL */
+} sink;
+
+static void on_progress(void *user, double fraction)
+{
+    const sink *s = user;
+    progress_show(s->progress, fraction);
+}
+
+static schuler_status on_errors(void *user, const char *id, int run, const schuler_error_row *rows,
+                                size_t count)
+{
+    const sink *s = user;
+    errors_csv_rows(s->errors, id, run, rows, count);
+    return ferror(s->errors) ? SCHULER_ERR_FILE : SCHULER_OK; /* a full disk: stop at once */
+}
+
+static exit_code write_directory(outdir *dir, outfile *errors, const schuler_result *result,
+                                 const simulation_arguments *a)
+{
+    outfile budget = { 0 }, json = { 0 }, scenario = { 0 };
+    char *switches = simulation_switches(a);
+    exit_code code = switches ? outfile_publish(errors) : say_failure("out of memory");
+    if (code == EXIT_DONE) code = outdir_file(dir, &budget, "budget.csv");
+    if (code == EXIT_DONE) {
+        budget_csv(budget.file, result);
+        code = outfile_publish(&budget);
+    }
+    if (code == EXIT_DONE) code = outdir_file(dir, &json, "result.json");
+    if (code == EXIT_DONE) code = json_put(result_json(result), json.file);
+    if (code == EXIT_DONE) code = outfile_publish(&json);
+    if (code == EXIT_DONE) code = outdir_file(dir, &scenario, "scenario.yaml");
+    if (code == EXIT_DONE) {
+        scenario_copy(scenario.file, result->scenario, switches);
+        code = outfile_publish(&scenario);
+    }
+    if (code == EXIT_DONE) code = outdir_publish(dir);
+    outfile_drop(&budget);
+    outfile_drop(&json);
+    outfile_drop(&scenario);
+    free(switches);
+    return code;
+}
+
+static exit_code print_result(const schuler_result *result, const simulation_arguments *a)
+{
+    page p;
+    page_open(&p);
+    bool complete = p.out != NULL;
+    if (complete && !a->quiet) {
+        budget_header(p.out, result);
+        complete = budget_table(p.out, result, a->all);
+        fputc('\n', p.out);
+    }
+    if (complete && (!a->quiet || result->scenario->requirement.given))
+        budget_verdict(p.out, result);
+    if (complete && a->directory && !a->quiet)
+        fprintf(p.out, "\nResult files in %s: budget.csv errors.csv result.json scenario.yaml\n",
+                a->directory);
+    if (complete) return page_show(&p);
+    page_drop(&p);
+    return say_failure("out of memory");
+}
+
+static exit_code deliver(const schuler_result *result, const simulation_arguments *a, outdir *dir,
+                         outfile *errors)
+{
+    exit_code code = EXIT_DONE;
+    const bool json_on_stdout = a->json && strcmp(a->json, "-") == 0;
+    if (a->directory) code = write_directory(dir, errors, result, a);
+    if (code == EXIT_DONE && a->json) code = json_write(result_json(result), a->json);
+    if (code == EXIT_DONE && !json_on_stdout) code = print_result(result, a);
+    return code == EXIT_DONE ? budget_exit(result) : code;
+}
+
+static exit_code simulate(const schuler_scenario *scenario, const simulation_arguments *a)
+{
+    outdir dir = { 0 };
+    outfile errors = { 0 };
+    schuler_result *result = NULL;
+    schuler_error error = { 0 };
+    progress bar = progress_start(a->quiet);
+    exit_code code = EXIT_DONE;
+    if (a->directory) code = outdir_open(&dir, a->directory);
+    if (code == EXIT_DONE && a->directory) code = outdir_file(&dir, &errors, "errors.csv");
+    if (code == EXIT_DONE) {
+        sink s = { &bar, errors.file };
+        if (errors.file) errors_csv_header(errors.file);
+        const schuler_run_options wanted = { .threads = a->threads,
+                                             .has_isa = a->has_isa,
+                                             .isa = a->isa,
+                                             .progress = on_progress,
+                                             .errors = errors.file ? on_errors : NULL,
+                                             .user = &s,
+                                             .stop = stop_flag() };
+        stop_catch();
+        const schuler_status status = schuler_simulate(scenario, &wanted, &result, &error);
+        progress_end(&bar);
+        code = exit_of(status);
+        if (status == SCHULER_ERR_INTERRUPTED)
+            fputs("schuler: interrupted; nothing was written\n", stderr);
+        else if (status == SCHULER_ERR_FILE && errors.file && ferror(errors.file))
+            code = outfile_complete(&errors); /* says which file and why */
+        else if (status != SCHULER_OK)
+            say_error(&error);
+    }
+    if (code == EXIT_DONE) code = deliver(result, a, &dir, &errors);
+    schuler_result_free(result);
+    outfile_drop(&errors);
+    outdir_drop(&dir);
+    return code;
+}
+
+exit_code verb_run(int argc, char **argv)
+{
+    simulation_arguments a = { 0 };
+    arguments_parse(&argp, argc, argv, &a);
+    schuler_scenario *scenario = NULL;
+    schuler_diagnostics d = { 0 };
+    const schuler_status status = schuler_scenario_load(&scenario, a.file, &a.overrides, &d);
+    say_diagnostics(&d, !a.quiet);
+    schuler_diagnostics_free(&d);
+    exit_code code = status == SCHULER_ERR_MEMORY ? EXIT_FAILED : EXIT_INPUT;
+    if (status == SCHULER_OK) code = simulate(scenario, &a);
+    schuler_scenario_free(scenario);
+    return code;
+}
