@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # libFuzzer entries, with address and undefined-behaviour sanitizers in every object. Clang only:
 #   cmake -S . -B build/fuzz -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DSCHULER_FUZZ=ON
-#   ninja -C build/fuzz fuzz_scenario && build/fuzz/tests/fuzz_scenario -max_total_time=120 CORPUS scenarios
+#   ninja -C build/fuzz fuzz_scenario && mkdir -p build/fuzz/corpus
+#   build/fuzz/tests/fuzz_scenario -max_total_time=120 build/fuzz/corpus build/fuzz/tests/fuzz_seeds
 option(SCHULER_FUZZ "Build the fuzz entries (clang)" OFF)
 if(NOT SCHULER_FUZZ)
   return()
@@ -23,4 +24,6 @@ function(schuler_fuzz name)
   set_tests_properties(${name} PROPERTIES LABELS fuzz TIMEOUT 600)
 endfunction()
 schuler_fuzz(fuzz_quantity)
-schuler_fuzz(fuzz_scenario ${PROJECT_SOURCE_DIR}/scenarios ${PROJECT_SOURCE_DIR}/sensors/catalog)
+file(GLOB seeds ${PROJECT_SOURCE_DIR}/scenarios/*.yaml ${PROJECT_SOURCE_DIR}/sensors/catalog/*.yaml)
+file(COPY ${seeds} DESTINATION ${CMAKE_CURRENT_BINARY_DIR}/fuzz_seeds)
+schuler_fuzz(fuzz_scenario ${CMAKE_CURRENT_BINARY_DIR}/fuzz_seeds)

@@ -84,8 +84,8 @@ static void the_figures_are_those_of_the_sheets(void **state)
     CHECK_REL(value_of(hg9900, SCHULER_ACCEL, "bias")->a[0], 25e-6 * g, 2e-15);
     CHECK_REL(value_of(hg9900, SCHULER_ACCEL, "scale_factor")->a[0], 100e-6, 2e-15);
     CHECK_REL(value_of(hg9900, SCHULER_GYRO, "scale_factor")->a[0], 5e-6, 2e-15);
-    /* 100 urad is 3 sigma; 7 ug rms over 10 Hz is 7/sqrt(10) ug/sqrt(Hz) one-sided. Both rounded in the
-     * file to the digits shown, half a unit of the last is 5e-2/33.3 and 5e-2/2.2. */
+    /* 100 urad is 3 sigma; 7 ug rms over 10 Hz is 7/sqrt(10) ug/sqrt(Hz) one-sided. Both rounded in
+     * the file to the digits shown, half a unit of the last is 5e-2/33.3 and 5e-2/2.2. */
     const schuler_value *misalignment = value_of(hg9900, SCHULER_ACCEL, "misalignment");
     CHECK_REL(misalignment->a[5], 100e-6 / 3, 1.6e-3);
     assert_true(misalignment->assumed);
@@ -111,8 +111,9 @@ static void an_unknown_part_lists_what_there_is(void **state)
     assert_int_equal(schuler_part_load(&part, "", &d), SCHULER_ERR_INPUT);
     assert_int_equal(schuler_part_load(&part, "/tmp", &d), SCHULER_ERR_FILE);
     assert_null(part);
-    assert_string_equal(d.items[0].message, "no part 'hg9990' in the catalog, and no such file; did "
-                                            "you mean 'hg9900'?");
+    assert_string_equal(d.items[0].message,
+                        "no part 'hg9990' in the catalog, and no such file; did "
+                        "you mean 'hg9900'?");
     assert_string_equal(d.items[1].message,
                         "no part '/no/where.yaml' in the catalog, and no such file; known: bmi088, "
                         "hg9900, ln200, stim300");

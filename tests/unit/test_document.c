@@ -127,9 +127,8 @@ static void mistakes_of_the_text_have_a_place(void **state)
 static void a_byte_order_mark_and_any_line_end_are_fine(void **state)
 {
     (void)state;
-    const char *const texts[] = { "\xef\xbb\xbf"
-                                  "a: 1\nb: 2\n",
-                                  "a: 1\r\nb: 2\r\n", "a: 1\rb: 2", "---\na: 1\nb: 2\n...\n" };
+    const char *const texts[] = { "\xef\xbb\xbf\x61: 1\nb: 2\n", "a: 1\r\nb: 2\r\n", "a: 1\rb: 2",
+                                  "---\na: 1\nb: 2\n...\n" };
     const int lines[] = { 2, 2, 2, 3 };
     for (int i = 0; i < 4; i++) {
         schuler_document *doc = parse(texts[i]);

@@ -4,6 +4,16 @@
 
 static const double tick_s = 1.0 / SCHULER_TICKS_PER_S;
 
+static long double value(const schuler_trapezoid *z, long double t_s)
+{
+    return schuler_trapezoid_value(z, (schuler_instant){ 0.0, t_s });
+}
+
+static long double rate(const schuler_trapezoid *z, long double t_s)
+{
+    return schuler_trapezoid_rate(z, (schuler_instant){ 0.0, t_s });
+}
+
 static void a_trapezoid_reaches_its_change_exactly_and_keeps_the_limit(void **state)
 {
     (void)state;
@@ -11,9 +21,9 @@ static void a_trapezoid_reaches_its_change_exactly_and_keeps_the_limit(void **st
     for (size_t i = 0; i < sizeof(changes) / sizeof(changes[0]); i++) {
         const schuler_trapezoid z = schuler_trapezoid_make(changes[i], 3.0, 2.0);
         const double T_s = schuler_trapezoid_duration(&z);
-        assert_true((double)schuler_trapezoid_value(&z, T_s) == changes[i]);
-        assert_true((double)schuler_trapezoid_value(&z, T_s + 5.0) == changes[i]);
-        assert_true((double)schuler_trapezoid_value(&z, -1.0) == 0.0);
+        assert_true((double)value(&z, T_s) == changes[i]);
+        assert_true((double)value(&z, T_s + 5.0) == changes[i]);
+        assert_true((double)value(&z, -1.0) == 0.0);
         assert_true(z.rate * changes[i] > 0.0);
         /* Durations are rounded to ticks, so the rate may be over by that much of a second. */
         assert_true(fabs(z.rate) <= 3.0 * (1.0 + tick_s));
@@ -46,10 +56,8 @@ static void the_change_is_the_integral_of_the_rate(void **state)
     long double sum = 0.0L;
     for (int i = 0; i < n; i++) {
         const long double a = T_s * i / n, b = T_s * (i + 1) / n;
-        sum += (b - a) / 6.0L *
-               (schuler_trapezoid_rate(&z, a) + 4.0L * schuler_trapezoid_rate(&z, 0.5L * (a + b)) +
-                schuler_trapezoid_rate(&z, b));
-        CHECK_NEAR((double)schuler_trapezoid_value(&z, b), (double)sum, 1e-9);
+        sum += (b - a) / 6.0L * (rate(&z, a) + 4.0L * rate(&z, 0.5L * (a + b)) + rate(&z, b));
+        CHECK_NEAR((double)value(&z, b), (double)sum, 1e-9);
     }
 }
 
@@ -64,7 +72,7 @@ static void the_rate_is_smooth_where_ramps_begin_and_end(void **state)
     const long double h = 1e-4L;
     for (int i = 0; i < 4; i++) {
         long double r[5];
-        for (int k = 0; k < 5; k++) r[k] = schuler_trapezoid_rate(&z, joints_s[i] + (k - 2) * h);
+        for (int k = 0; k < 5; k++) r[k] = rate(&z, joints_s[i] + (k - 2) * h);
         const long double slope =
             3.0L * 60.0L / (2.0L * 2.0L * 2.0L); /* jump of the third derivative */
         CHECK_NEAR((double)((r[4] - r[2]) / (2.0L * h)), (double)((r[2] - r[0]) / (2.0L * h)),
@@ -83,12 +91,25 @@ static void the_ramp_keeps_the_jerk_it_was_made_for(void **state)
     double steepest = 0.0;
     const long double h = 1e-3L;
     for (long double t = 0.0L; t < schuler_trapezoid_duration(&z); t += h)
-        steepest =
-            fmax(steepest,
-                 fabs((double)((schuler_trapezoid_rate(&z, t + h) - schuler_trapezoid_rate(&z, t)) /
-                               h)));
+        steepest = fmax(steepest, fabs((double)((rate(&z, t + h) - rate(&z, t)) / h)));
     /* The chord of a step is less steep by h^2/24 times the third derivative: below 1e-6. */
     CHECK_NEAR(steepest, jerk, 1e-6);
+}
+
+/* The end of a change that took days is as smooth as its start: mirrored instants give mirrored
+ * values, to the rounding of the rate itself. In one number, the instant would be off by 1e-14 s in
+ * 10 ms. */
+static void a_late_ramp_keeps_its_digits(void **state)
+{
+    (void)state;
+    const schuler_trapezoid z = schuler_trapezoid_make(40000.0, 0.125, 0.01);
+    const double end_s = schuler_trapezoid_duration(&z), ramp_s = z.ramp_s;
+    for (int k = 1; k < 100; k++) {
+        const long double t_s = ramp_s * k / 100.0L;
+        const schuler_instant early = { 0.0, t_s }, late = { end_s - ramp_s, ramp_s - t_s };
+        CHECK_NEAR((double)(schuler_trapezoid_rate(&z, late) - schuler_trapezoid_rate(&z, early)),
+                   0.0, 1e-18);
+    }
 }
 
 static void durations_are_whole_ticks(void **state)
@@ -126,6 +147,7 @@ int main(void)
         cmocka_unit_test(the_change_is_the_integral_of_the_rate),
         cmocka_unit_test(the_rate_is_smooth_where_ramps_begin_and_end),
         cmocka_unit_test(the_ramp_keeps_the_jerk_it_was_made_for),
+        cmocka_unit_test(a_late_ramp_keeps_its_digits),
         cmocka_unit_test(durations_are_whole_ticks),
         cmocka_unit_test(joints_are_ascending_and_distinct),
     };

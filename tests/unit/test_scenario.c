@@ -122,15 +122,16 @@ static void the_report_interval_follows_the_duration(void **state)
     static const struct {
         const char *duration;
         double every_s;
-    } table[] = { { "5 s", 5 },     { "1 h", 10 },    { "2 h", 10 },    { "7201 s", 20 },
-                  { "4 h", 20 },    { "10 h", 60 },   { "12 h", 60 },   { "24 h", 120 },
-                  { "50 h", 300 },  { "100 h", 600 } };
+    } table[] = { { "5 s", 5 },    { "1 h", 10 },   { "2 h", 10 },  { "7201 s", 20 },
+                  { "4 h", 20 },   { "10 h", 60 },  { "12 h", 60 }, { "24 h", 120 },
+                  { "50 h", 300 }, { "100 h", 600 } };
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         char text[300];
-        snprintf(text, sizeof text,
-                 "scenario: x\ntrajectory: {kind: static, start: {lat: 1 deg, lon: 7 deg, height: 0 "
-                 "m}, for: %s}\nimu: {use: ln200}\n",
-                 table[i].duration);
+        snprintf(
+            text, sizeof text,
+            "scenario: x\ntrajectory: {kind: static, start: {lat: 1 deg, lon: 7 deg, height: 0 "
+            "m}, for: %s}\nimu: {use: ln200}\n",
+            table[i].duration);
         loaded l;
         load_good(&l, text, NULL);
         CHECK_NEAR(l.s->report_s, table[i].every_s, 0.0);
@@ -275,11 +276,12 @@ static void doubtful_values_are_warned_of(void **state)
 {
     (void)state;
     loaded l;
-    load_good(&l,
-              "scenario: x\ntrajectory: {kind: static, start: {lat: 45 deg, lon: 7 deg, height: 0 "
-              "m}, for: 1 h}\nimu:\n  use: hg9900\n  gyro: {bias: 10 deg/h}\nrequirement: {drift: 1 "
-              "nmi/h, statistic: CEP}\n",
-              NULL);
+    load_good(
+        &l,
+        "scenario: x\ntrajectory: {kind: static, start: {lat: 45 deg, lon: 7 deg, height: 0 "
+        "m}, for: 1 h}\nimu:\n  use: hg9900\n  gyro: {bias: 10 deg/h}\nrequirement: {drift: 1 "
+        "nmi/h, statistic: CEP}\n",
+        NULL);
     assert_int_equal(l.d.warnings, 2);
     assert_int_equal(l.d.errors, 0);
     assert_true(l.d.items[0].is_warning);

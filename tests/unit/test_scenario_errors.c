@@ -44,6 +44,8 @@ static void mistakes_in_the_scenario_have_their_place(void **state)
           "lon: 7 deg}, for: 1 h}" },
         { HEAD IMU "ruins: 5\n", 4, 1, 5, "unknown key 'ruins'; did you mean 'runs'?" },
         { HEAD IMU "runs: 0\n", 4, 7, 1, "runs: 0 is out of range; allowed: 1 to 100000" },
+        { HEAD IMU "runs: 5\nruns: many\n", 5, 1, 4,
+          "duplicate key 'runs' (first given on line 4)" },
         { HEAD IMU "runs: many\n", 4, 7, 4, "runs: 'many' is not a whole number" },
         { HEAD IMU "seed: -1\n", 4, 7, 2,
           "seed: -1 is out of range; allowed: 0 to 9223372036854775807" },
@@ -76,7 +78,8 @@ static void mistakes_in_the_scenario_have_their_place(void **state)
           "accel.bias_random_walk, accel.quantization, gyro, gyro.bias, gyro.scale_factor, "
           "gyro.misalignment, gyro.angle_random_walk, gyro.gauss_markov, ..." },
         { HEAD IMU "requirement: {drift: 1 nmi/h}\n", 4, 1, 11,
-          "'requirement' needs the key 'statistic': CEP, R95 or rms. There is no default, because a "
+          "'requirement' needs the key 'statistic': CEP, R95 or rms. There is no default, because "
+          "a "
           "drift limit means nothing without it: the sensors that drift 0.5 nmi/h CEP drift 1.0 "
           "nmi/h R95" },
         { HEAD IMU "requirement: {statistic: CEP}\n", 4, 1, 11,
@@ -84,7 +87,8 @@ static void mistakes_in_the_scenario_have_their_place(void **state)
         { HEAD IMU "requirement: {drift: 1 nmi/h, statistic: CEP50}\n", 4, 42, 5,
           "requirement.statistic: unknown 'CEP50'; did you mean 'CEP'?" },
         { HEAD IMU "requirement: {drift: 1 nmi, statistic: CEP}\n", 4, 24, 3,
-          "requirement.drift: 'nmi' is a unit of length, but speed is expected (such as '1 nmi/h')" },
+          "requirement.drift: 'nmi' is a unit of length, but speed is expected (such as '1 "
+          "nmi/h')" },
         { HEAD IMU "report: {every: 10 ms}\n", 4, 1, 6,
           "report.every: this gives 720000 reports in 7200 s; allowed: 100000" },
         { "scenario: x\ntrajectory: {start: {}}\n" IMU, 2, 1, 10,
@@ -116,12 +120,14 @@ static void mistakes_in_the_imu_have_their_place(void **state)
           "scale_factor, misalignment, angle_random_walk, gauss_markov, gauss_markov_time, "
           "bias_random_walk, quantization" },
         { HEAD "imu: {accel: {model: linear}}\n", 3, 1, 3,
-          "'imu' needs the key 'gyro' (or 'use: NAME', a part of the catalog), for example: {model: "
+          "'imu' needs the key 'gyro' (or 'use: NAME', a part of the catalog), for example: "
+          "{model: "
           "linear, bias: 0.01 deg/h}" },
         { HEAD "imu: {accel: {model: linear}, gyro: {bias: 1 deg/h}}\n", 3, 31, 4,
           "'imu.gyro' needs the key 'model', for example: linear" },
         { HEAD "imu: {use: hg9900, gyro: {gauss_markov: 1 deg/h}}\n", 3, 41, 7,
-          "'imu.gyro' needs the key 'gauss_markov_time' beside 'gauss_markov', for example: 100 s" },
+          "'imu.gyro' needs the key 'gauss_markov_time' beside 'gauss_markov', for example: 100 "
+          "s" },
         { HEAD "imu: {use: hg9900, gyro: {gauss_markov_time: 1 h}}\n", 3, 46, 3,
           "'imu.gyro' needs the key 'gauss_markov' beside 'gauss_markov_time', for example: "
           "0.003 deg/h" },
@@ -139,9 +145,12 @@ static void mistakes_in_the_imu_have_their_place(void **state)
           "'imu.accel' has both 'noise_density' and 'velocity_random_walk', which mean the same "
           "noise; give one of them" },
         { HEAD "imu: {use: hg9900, accel: {bias: 1 g/h}}\n", 3, 36, 3,
-          "imu.accel.bias: 'g/h' is a unit of jerk, but acceleration is expected (such as '1 ug')" },
+          "imu.accel.bias: 'g/h' is a unit of jerk, but acceleration is expected (such as '1 "
+          "ug')" },
         { HEAD "imu: {use: hg9900, accel: 5}\n", 3, 27, 1,
           "imu.accel: a map of keys is expected, found '5'" },
+        { HEAD "imu: {use: hg9900, accel: {bias: 1 mg, bias: 5}}\n", 3, 40, 4,
+          "duplicate key 'bias' (first given on line 3)" },
         { HEAD "imu: hg9900\n", 3, 6, 6, "imu: a map of keys is expected, found 'hg9900'" },
         { HEAD "imu: {use: [a]}\n", 3, 12, 1, "imu.use: a part's name is expected, found a list" },
     };
@@ -198,22 +207,38 @@ static void mistaken_overrides_are_named(void **state)
         schuler_overrides o;
         const char *set, *file, *message;
     } table[] = {
-        { { 0 }, "imu.gyro.bias=5", "--set imu.gyro.bias=5",
+        { { 0 },
+          "imu.gyro.bias=5",
+          "--set imu.gyro.bias=5",
           "imu.gyro.bias: unit missing; write for example '5 deg/h'" },
-        { { 0 }, "imu.gyro.bais=5 deg/h", "--set imu.gyro.bais=5 deg/h",
+        { { 0 },
+          "imu.gyro.bais=5 deg/h",
+          "--set imu.gyro.bais=5 deg/h",
           "unknown key 'bais' in 'imu.gyro'; did you mean 'bias'?" },
-        { { 0 }, "imu.gyro", "--set",
+        { { 0 },
+          "imu.gyro",
+          "--set",
           "'imu.gyro': KEY=VALUE is expected, such as imu.gyro.bias='0.01 deg/h'" },
-        { { 0 }, "scenario.x=1", "--set scenario.x=1",
+        { { 0 },
+          "scenario.x=1",
+          "--set scenario.x=1",
           "a single value is there, so there can be no key 'x'" },
-        { { .imu = "hg9990" }, NULL, "--imu hg9990",
+        { { .imu = "hg9990" },
+          NULL,
+          "--imu hg9990",
           "no part 'hg9990' in the catalog, and no such file; did you mean 'hg9900'?" },
-        { { .only = "gyro,gyros" }, NULL, "--only gyro,gyros",
+        { { .only = "gyro,gyros" },
+          NULL,
+          "--only gyro,gyros",
           "errors.only: no error source or group 'gyros'; did you mean 'gyro'?" },
-        { { .without = "initial.headng" }, NULL, "--without initial.headng",
+        { { .without = "initial.headng" },
+          NULL,
+          "--without initial.headng",
           "errors.without: no error source or group 'initial.headng'; did you mean "
           "'initial.heading'?" },
-        { { .has_runs = 1, .runs = -4 }, NULL, "--runs -4",
+        { { .has_runs = 1, .runs = -4 },
+          NULL,
+          "--runs -4",
           "runs: -4 is out of range; allowed: 1 to 100000" },
         { { .has_seed = 1, .seed = UINT64_MAX }, NULL, "--seed", "the seed is out of range" },
     };
@@ -239,7 +264,10 @@ static void what_is_no_scenario_is_refused(void **state)
     make_folder(&l);
     assert_int_equal(schuler_scenario_load(&l.s, l.path, NULL, &l.d), SCHULER_ERR_FILE);
     assert_int_equal(schuler_scenario_load(&l.s, l.dir, NULL, &l.d), SCHULER_ERR_FILE);
-    write_file(l.dir, "s.yaml", "\x7f" "ELF\x02\0\0", 7);
+    write_file(l.dir, "s.yaml",
+               "\x7f"
+               "ELF\x02\0\0",
+               7);
     assert_int_equal(schuler_scenario_load(&l.s, l.path, NULL, &l.d), SCHULER_ERR_INPUT);
     write_file(l.dir, "s.yaml", "- a\n", 4);
     const char *const set = "a.b=1";

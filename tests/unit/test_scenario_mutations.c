@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Any bytes give a scenario or errors that have a message and a place within the file. Deterministic,
- * so that what fails once fails again. */
+/* Any bytes give a scenario or errors that have a message and a place within the file.
+ * Deterministic, so that what fails once fails again. */
 #include "scenario_text.h"
 
 /* Numbers of a 64-bit xorshift (Marsaglia, J. Stat. Soft. 8(14), 2003: shifts 13, 7, 17). */
@@ -18,11 +18,54 @@ static size_t below(uint64_t *x, size_t n)
 }
 
 static const char *const pieces[] = {
-    "{",     "}",      "[",      "]",     ": ",    "- ",     "\n",     "\t",     "'",      "\"",
-    "&a ",   "*a",     "!!x ",   "|\n",   "? ",    "#",      "---\n",  "%",      "0",      "-1",
-    "1e999", "nan",    "ug",     "deg/h", "sqrt(", "^-9",    "normal", "uniform", "value", "source",
-    "\0",    "\xff",   "\u00b5", "\r",    "99999999999999999999", "use",  "kind",  "imu",    "{}",
-    "[]",    "linear", "\\x00",  ",",     "m/s",   "~",      "true",   "noise_density", "sided",
+    "{",
+    "}",
+    "[",
+    "]",
+    ": ",
+    "- ",
+    "\n",
+    "\t",
+    "'",
+    "\"",
+    "&a ",
+    "*a",
+    "!!x ",
+    "|\n",
+    "? ",
+    "#",
+    "---\n",
+    "%",
+    "0",
+    "-1",
+    "1e999",
+    "nan",
+    "ug",
+    "deg/h",
+    "sqrt(",
+    "^-9",
+    "normal",
+    "uniform",
+    "value",
+    "source",
+    "\0",
+    "\xff",
+    "\u00b5",
+    "\r",
+    "99999999999999999999",
+    "use",
+    "kind",
+    "imu",
+    "{}",
+    "[]",
+    "linear",
+    "\\x00",
+    ",",
+    "m/s",
+    "~",
+    "true",
+    "noise_density",
+    "sided",
 };
 enum { PIECES = sizeof pieces / sizeof pieces[0], ROOM = 4096 };
 
@@ -35,7 +78,9 @@ static size_t mutate(char *text, size_t length, uint64_t *x)
         const char *piece = pieces[below(x, PIECES)];
         const size_t size = *piece ? strlen(piece) : 1;
         switch (next(x) % 6) {
-        case 0: text[at] = (char)next(x); break;
+        case 0:
+            text[at] = (char)next(x);
+            break;
         case 1:
             if (length - n < 8) break;
             memmove(text + at, text + at + n, length - at - n);
@@ -124,27 +169,29 @@ static void mutate_often(const char *text, uint64_t seed, int rounds)
 static void a_scenario_survives_mutation(void **state)
 {
     (void)state;
-    mutate_often("scenario: \"mutation\"  # a comment that may take a hit\nseed: 42\nruns: 10\n"
-                 "truth: {gravity: wgs84}\n" TRAJECTORY "imu:\n  use: hg9900\n  rate: 100 Hz\n"
-                 "  accel:\n    model: linear\n    bias: {normal: [25 ug, 30 ug, 35 ug]}\n"
-                 "    noise_density: 2 ug/sqrt(Hz)\n    sided: one\n  gyro:\n"
-                 "    bias: {uniform: [-0.003 deg/h, 0.003 deg/h]}\n    gauss_markov: 0.001 \u00b0/h\n"
-                 "    gauss_markov_time: 10 min\ninitial:\n  position: {normal: 10 m}\n"
-                 "  tilt: [1 arcsec, 2 arcsec]\nnavigation: {frame: ecef, order: 2}\n"
-                 "errors:\n  without:\n    - gyro.bias\n    - initial\n"
-                 "requirement: {drift: 1 nmi/h, statistic: CEP}\nreport: {every: 1 min}\n",
-                 1, 4000);
+    mutate_often(
+        "scenario: \"mutation\"  # a comment that may take a hit\nseed: 42\nruns: 10\n"
+        "truth: {gravity: wgs84}\n" TRAJECTORY "imu:\n  use: hg9900\n  rate: 100 Hz\n"
+        "  accel:\n    model: linear\n    bias: {normal: [25 ug, 30 ug, 35 ug]}\n"
+        "    noise_density: 2 ug/sqrt(Hz)\n    sided: one\n  gyro:\n"
+        "    bias: {uniform: [-0.003 deg/h, 0.003 deg/h]}\n    gauss_markov: 0.001 \u00b0/h\n"
+        "    gauss_markov_time: 10 min\ninitial:\n  position: {normal: 10 m}\n"
+        "  tilt: [1 arcsec, 2 arcsec]\nnavigation: {frame: ecef, order: 2}\n"
+        "errors:\n  without:\n    - gyro.bias\n    - initial\n"
+        "requirement: {drift: 1 nmi/h, statistic: CEP}\nreport: {every: 1 min}\n",
+        1, 4000);
 }
 
 static void manoeuvres_survive_mutation(void **state)
 {
     (void)state;
-    mutate_often("scenario: x\nimu: {use: ln200}\ntrajectory:\n  kind: segments\n"
-                 "  start: {lat: 45 deg, lon: 7 deg, height: 100 m, heading: 45 deg, speed: 0 m/s}\n"
-                 "  segments:\n    - hold: {for: 10 s}\n    - accelerate: {to: 100 m/s, at: 2 m/s^2}\n"
-                 "    - climb: {to: 300 m, at: 10 m/s}\n    - turn: {by: 90 deg, bank: 25 deg}\n"
-                 "    - cruise: {for: 1 min}\n",
-                 2, 400);
+    mutate_often(
+        "scenario: x\nimu: {use: ln200}\ntrajectory:\n  kind: segments\n"
+        "  start: {lat: 45 deg, lon: 7 deg, height: 100 m, heading: 45 deg, speed: 0 m/s}\n"
+        "  segments:\n    - hold: {for: 10 s}\n    - accelerate: {to: 100 m/s, at: 2 m/s^2}\n"
+        "    - climb: {to: 300 m, at: 10 m/s}\n    - turn: {by: 90 deg, bank: 25 deg}\n"
+        "    - cruise: {for: 1 min}\n",
+        2, 400);
 }
 
 int main(void)

@@ -232,6 +232,7 @@ static void mistakes_say_what_and_where(void **state)
         { "1e999 m", length, "the number 1e999 is out of range", 1, 5 },
         { "1e-999 m", length, "the number 1e-999 is out of range", 1, 6 },
         { "1e308 km", length, "'1e308 km' is out of range", 1, 8 },
+        { "1e-307 ppb*ppb", none, "'1e-307 ppb*ppb' is out of range", 1, 14 },
         { "0,5 deg", angle, "write the decimal mark as a point, for example '1.5'", 1, 1 },
         { "5 deg/", rate, NULL, 0, 0 },
         { "5 deg/sqrt(h", arw, NULL, 0, 0 },
@@ -281,6 +282,8 @@ static void hostile_units_are_refused_without_harm(void **state)
         for (int k = 0; k < 400; k++) strcat(text, pieces[i]);
         assert_int_equal(schuler_unit_parse(text, &si, &dim, NULL), SCHULER_ERR_INPUT);
     }
+    /* A fourth root has no half exponent to go into; dropped, it would pass as a plain number. */
+    assert_int_equal(schuler_unit_parse("sqrt(sqrt(m))", &si, &dim, NULL), SCHULER_ERR_INPUT);
     /* Dimensions that cancel while the value runs away. */
     text[0] = '\0';
     for (int k = 0; k < 110; k++) strcat(text, k > 0 ? "*km/mm" : "km/mm");

@@ -78,6 +78,18 @@ static void quaternion_and_matrix_rotate_alike(void **state)
         }
 }
 
+static void a_matrix_gives_the_quaternion_with_w_not_negative(void **state)
+{
+    (void)state;
+    for (int axis = 0; axis < 3; axis++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            schuler_vec3 phi = { { 0.1, 0.1, 0.1 } };
+            phi.v[axis] = sign * 2.8; /* the largest component is not w */
+            const schuler_mat3 C = schuler_mat3_from_quat(schuler_quat_from_rotvec(phi));
+            assert_true(schuler_quat_from_mat3(&C).w > 0.0);
+        }
+}
+
 static void quaternions_multiply_like_their_matrices(void **state)
 {
     (void)state;
@@ -152,6 +164,7 @@ int main(void)
         cmocka_unit_test(a_zero_rotation_vector_is_the_identity),
         cmocka_unit_test(the_opposite_quaternion_is_the_same_rotation),
         cmocka_unit_test(quaternion_and_matrix_rotate_alike),
+        cmocka_unit_test(a_matrix_gives_the_quaternion_with_w_not_negative),
         cmocka_unit_test(quaternions_multiply_like_their_matrices),
         cmocka_unit_test(euler_angles_have_the_signs_of_aviation),
         cmocka_unit_test(euler_angles_come_back),

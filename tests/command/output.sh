@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+# Result files appear complete or not at all; every write is checked.
+. "$COMMAND_TESTS/lib.sh"
+small_scenario >mission.yaml
+expect 0 "$SCHULER" run mission.yaml -o result
+for file in budget.csv errors.csv result.json scenario.yaml; do
+    [ -s result/$file ] || complain "no $file"
+done
+[ "$(ls result | wc -l)" -eq 4 ] || complain "more in it: $(ls result)"
+head -n 1 result/errors.csv >header
+echo "source,run,time_s,north_m,east_m,down_m,vn_mps,ve_mps,vd_mps,roll_arcsec,pitch_arcsec,heading_arcsec" >wanted
+same header wanted
+for source in all none accel.bias gyro.bias gyro.angle_random_walk; do
+    grep -q "^$source,0,120," result/errors.csv || complain "no end of $source in errors.csv"
+done
+grep '^none,' result/errors.csv | head -n 1 | grep -q '^none,0,0,' || complain "no row at time 0"
+
+# The copy runs again and gives the same budget.
+"$SCHULER" run mission.yaml --seed 3 -o seeded >out || complain "run --seed 3"
+has seeded/scenario.yaml "--seed 3"
+expect 0 "$SCHULER" run seeded/scenario.yaml --seed 3 -o copied
+grep -v '^#' seeded/budget.csv >a
+grep -v '^#' copied/budget.csv >b
+same a b
+
+# An earlier result is replaced, anything else is refused.
+expect 0 "$SCHULER" run mission.yaml --seed 3 -o result
+same result/errors.csv seeded/errors.csv
+mkdir empty && expect 0 "$SCHULER" run mission.yaml -o empty/
+[ -s empty/result.json ] || complain "nothing in the empty directory"
+mkdir mine && echo precious >mine/thesis.txt
+expect 2 "$SCHULER" run mission.yaml -o mine
+has err thesis.txt
+[ "$(ls mine)" = thesis.txt ] || complain "touched: $(ls mine)"
+echo precious >file
+expect 2 "$SCHULER" run mission.yaml -o file
+[ "$(cat file)" = precious ] || complain "file overwritten"
+expect 3 "$SCHULER" run mission.yaml -o no/such/place
+expect 3 "$SCHULER" run mission.yaml --json no/such/place.json
+no_partial
+
+# Nowhere to write to.
+if [ -c /dev/full ]; then
+    "$SCHULER" run mission.yaml >/dev/full 2>err
+    [ $? -eq 3 ] || complain "full standard output"
+    "$SCHULER" --help >/dev/full 2>err
+    [ $? -eq 3 ] || complain "full standard output, help"
+    "$SCHULER" run mission.yaml --json - >/dev/full 2>err
+    [ $? -eq 3 ] || complain "full standard output, JSON"
+    expect 3 "$SCHULER" run mission.yaml --json /dev/full
+    [ -c /dev/full ] || complain "/dev/full was replaced"
+    expect 3 "$SCHULER" truth mission.yaml --imu-out /dev/full
+fi
+expect 0 "$SCHULER" truth mission.yaml --imu-out /dev/null
+[ -c /dev/null ] || complain "/dev/null was replaced"
+"$SCHULER" run mission.yaml >&- 2>err
+[ $? -eq 3 ] || complain "closed standard output"
+empty err
+"$SCHULER" run mission.yaml --json kept.json -q >&- 2>err
+[ $? -eq 0 ] || complain "closed standard output that is not needed"
+json kept.json format >value
+{ "$SCHULER" run mission.yaml 2>err; echo $? >code; } | :
+code=$(cat code)
+[ "$code" -eq 0 ] || [ "$code" -eq 3 ] || complain "closed pipe: $code"
+empty err
+
+# A file system that fills up while writing. Only root may make one.
+if [ "$(id -u)" -eq 0 ] && mkdir tiny && mount -t tmpfs -o size=64k tmpfs tiny 2>mounted; then
+    expect 3 "$SCHULER" run mission.yaml -o tiny/result
+    has err "No space left"
+    [ -z "$(ls tiny)" ] || complain "left behind: $(ls tiny)"
+    expect 3 "$SCHULER" truth mission.yaml --imu-out tiny/i.csv --reference-out tiny/r.csv
+    [ -z "$(ls tiny)" ] || complain "left behind: $(ls tiny)"
+    umount tiny
+fi
+finish

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+# Colour and progress only on a terminal; plain ASCII where nothing else can be shown.
+. "$COMMAND_TESTS/lib.sh"
+small_scenario >mission.yaml
+echo "requirement: {drift: 100 nmi/h, statistic: CEP}" >>mission.yaml
+escape=$(printf '\033')
+TERM=xterm
+export TERM
+expect 0 "$SCHULER" run mission.yaml
+lacks out "$escape"
+lacks err "$escape"
+has out "█"
+[ "$(awk 'length > 80' out | wc -l)" -eq 0 ] || complain "wider than 80 columns: $(awk 'length > 80' out)"
+LC_ALL=C "$SCHULER" run mission.yaml >ascii 2>err
+LC_ALL=C grep -q '[^ -~]' ascii && complain "not ASCII: $(LC_ALL=C grep '[^ -~]' ascii)"
+has ascii "#"
+
+command -v script >/dev/null 2>&1 || finish
+on_terminal() { script -qec "$*" /dev/null >out </dev/null; }
+unset NO_COLOR
+on_terminal "$SCHULER run mission.yaml --runs 200"
+has out "$escape[1;32mPASS"
+has out " left" # of the progress line, which is erased
+NO_COLOR=1
+export NO_COLOR
+on_terminal "$SCHULER run mission.yaml --quiet"
+lacks out "$escape[1"
+lacks out " left"
+finish
