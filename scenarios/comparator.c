@@ -19,6 +19,12 @@ schuler_error_row schuler_compare(const schuler_nav_state *nav, const schuler_tr
         row.r_n[i] = dr_n.v[i];
         row.v_n[i] = dv_n.v[i];
     }
+    return row;
+}
+
+void schuler_compare_attitude(const schuler_nav_state *nav, const schuler_truth_state *truth,
+                              schuler_error_row *row)
+{
     const schuler_llh llh = schuler_llh_from_ecef(nav->r_e);
     const schuler_mat3 C_n_e = schuler_C_n_e(llh.lat_rad, llh.lon_rad);
     const schuler_mat3 C_e_n = schuler_mat3_transpose(&C_n_e);
@@ -26,10 +32,9 @@ schuler_error_row schuler_compare(const schuler_nav_state *nav, const schuler_tr
     const schuler_mat3 C_b_n = schuler_mat3_mul(&C_e_n, &C_b_e);
     double roll_rad, pitch_rad, heading_rad;
     schuler_euler_from_mat3(&C_b_n, &roll_rad, &pitch_rad, &heading_rad);
-    row.roll_rad = wrapped(roll_rad - truth->roll_rad);
-    row.pitch_rad = pitch_rad - truth->pitch_rad;
-    row.heading_rad = wrapped(heading_rad - truth->heading_rad);
-    return row;
+    row->roll_rad = wrapped(roll_rad - truth->roll_rad);
+    row->pitch_rad = pitch_rad - truth->pitch_rad;
+    row->heading_rad = wrapped(heading_rad - truth->heading_rad);
 }
 
 double schuler_metrics_take(lane_metrics *m, const schuler_error_row *row)

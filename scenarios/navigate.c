@@ -111,6 +111,8 @@ static schuler_status report(navigation *nav, const schuler_trajectory_row *refe
 static int advance_some(navigation *nav, int64_t limit)
 {
     schuler_increments *in = &nav->in;
+    /* A recording has no gravity that only the real world knows. */
+    static const double dg_truth_e[3 * SCHULER_INCREMENTS_BLOCK];
     double dg_nav_e[3 * SCHULER_INCREMENTS_BLOCK];
     int64_t n = in->n - in->used;
     if (n > limit) n = limit;
@@ -130,6 +132,7 @@ static int advance_some(navigation *nav, int64_t limit)
         .dtheta = &in->dtheta[0][in->used],
         .dv = &in->dv[0][in->used],
         .dg_nav_e = nav->has_disturbance ? dg_nav_e : NULL,
+        .dg_truth_e = dg_truth_e,
     };
     nav->mechanization->advance(nav->state, &block);
     in->used += (int)n;

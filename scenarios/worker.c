@@ -59,8 +59,9 @@ static schuler_status compare_group(const lane_batch_state *b, int g, const bloc
         const batch_lane *l = &b->lanes[i];
         schuler_nav_state nav;
         b->frame->get(b->groups[g].nav, place, &nav);
-        const schuler_error_row row = schuler_compare(&nav, &at->truth);
-        double sum = row.roll_rad + row.pitch_rad + row.heading_rad;
+        schuler_error_row row = schuler_compare(&nav, &at->truth);
+        if (out->rows) schuler_compare_attitude(&nav, &at->truth, &row);
+        double sum = nav.q_b_e.w + nav.q_b_e.x + nav.q_b_e.y + nav.q_b_e.z;
         for (int k = 0; k < 3; k++) sum += row.r_n[k] + row.v_n[k];
         if (!isfinite(sum))
             return schuler_fail(err, SCHULER_ERR_NUMERIC, NULL,

@@ -267,11 +267,8 @@ static void get(const void *state, int lane, schuler_nav_state *out)
     const lanes *from[10] = { &n->r.x, &n->r.y, &n->r.z, &n->v.x, &n->v.y,
                               &n->v.z, &n->q.w, &n->q.x, &n->q.y, &n->q.z };
     double x[10];
-    for (int i = 0; i < 10; i++) {
-        double all[SCHULER_LANES];
-        memcpy(all, from[i], sizeof(all));
-        x[i] = all[lane];
-    }
+    for (int i = 0; i < 10; i++)
+        memcpy(&x[i], (const char *)from[i] + (size_t)lane * sizeof(double), sizeof(double));
     out->r_e = (schuler_vec3){ { x[0], x[1], x[2] } };
     out->v_e = (schuler_vec3){ { x[3], x[4], x[5] } };
     out->q_b_e = (schuler_quat){ x[6], x[7], x[8], x[9] };
