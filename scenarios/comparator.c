@@ -16,8 +16,8 @@ schuler_error_row schuler_compare(const schuler_nav_state *nav, const schuler_tr
     const schuler_vec3 dv_n =
         schuler_mat3_apply_transposed(&truth->C_n_e, schuler_vec3_sub(nav->v_e, truth->v_e));
     for (int i = 0; i < 3; i++) {
-        row.r_n[i] = dr_n.v[i];
-        row.v_n[i] = dv_n.v[i];
+        row.r_n[i] = dr_n.v[i] + 0.0; /* no negative zeros in tables */
+        row.v_n[i] = dv_n.v[i] + 0.0;
     }
     return row;
 }
