@@ -14,7 +14,7 @@ schuler_trapezoid schuler_trapezoid_make(double change, double rate_limit, doubl
     /* A millisecond at least: a ramp of no length would be a jump. */
     z.ramp_s = schuler_tick(fmax(ramp_s, 1e-3));
     z.plateau_s = schuler_tick(fmax(fabs(change) / rate_limit - z.ramp_s, 0.0));
-    z.rate = change / (z.ramp_s + z.plateau_s);
+    z.rate = (long double)change / (z.ramp_s + z.plateau_s);
     return z;
 }
 

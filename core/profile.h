@@ -26,8 +26,8 @@ typedef struct {
 } schuler_instant;
 
 typedef struct {
-    double change; /* in all                            */
-    double rate;   /* of the plateau, per second; signed */
+    double change;    /* in all                            */
+    long double rate; /* of the plateau, per second, signed; in double the parts would not add up */
     double ramp_s, plateau_s;
 } schuler_trapezoid;
 

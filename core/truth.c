@@ -307,6 +307,7 @@ void schuler_truth_at(const schuler_truth *truth, double t_s, schuler_truth_stat
     out->r_e = m.r_e;
     out->v_e = m.v_e;
     out->v_n = schuler_mat3_apply_transposed(&out->C_n_e, m.v_e);
+    for (int i = 0; i < 3; i++) out->v_n.v[i] += 0.0; /* at rest: no negative zero */
     out->q_b_e = m.q_b_e;
     const schuler_mat3 C_b_e = schuler_mat3_from_quat(m.q_b_e);
     const schuler_mat3 C_e_n = schuler_mat3_transpose(&out->C_n_e);

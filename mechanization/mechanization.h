@@ -33,7 +33,7 @@ typedef struct {
 } schuler_nav_setup;
 
 /* dtheta and dv are [axis][step][lane], axes stride*lanes doubles apart. dg_* are [axis][step],
- * axes stride doubles apart, or NULL when there is none. */
+ * axes stride doubles apart: both given, or both NULL when there is none. */
 typedef struct {
     int n, stride;
     const double *dtheta, *dv;

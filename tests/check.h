@@ -22,10 +22,10 @@ static inline void check_near_at(double got, double expected, double tolerance, 
 }
 
 /* Absolute tolerance. The message names the expression. */
-#define CHECK_NEAR(got, expected, tolerance) \
+#define CHECK_NEAR(got, expected, tolerance)                                                       \
     check_near_at((got), (expected), (tolerance), #got, __FILE__, __LINE__)
 /* Relative to the expected value. */
-#define CHECK_REL(got, expected, relative) \
+#define CHECK_REL(got, expected, relative)                                                         \
     check_near_at((got), (expected), fabs(expected) * (relative), #got, __FILE__, __LINE__)
 
 #endif

@@ -55,10 +55,10 @@ static void put_blame(FILE *out, const schuler_result *result)
     double explained = 0.0;
     for (int i = 0; row && row->share > 0.0 && i < 3 && explained < 0.75; i++) {
         const double alone = nmi_per_h(statistic_of(row, required->statistic));
-        fprintf(out, "  %s %s with %.1f %% of the variance; alone it drifts %.*f nmi/h %s\n",
+        const int decimals = decimals_for(10.0 * alone);
+        fprintf(out, "  %s  %s: %.1f %% of the variance, alone %.*f nmi/h %s\n",
                 i ? "then    " : "to blame", row->id, 100.0 * row->share,
-                decimals_for(alone) > 6 ? 6 : decimals_for(alone), alone,
-                statistic_name(required->statistic));
+                decimals > 6 ? 6 : decimals, alone, statistic_name(required->statistic));
         explained += row->share;
         row = largest(result, row);
     }
@@ -70,31 +70,28 @@ static void put_more_runs(FILE *out, const schuler_result *result)
     const schuler_judgement *j = &result->judgement;
     const double gap = fabs(j->value_mps - result->scenario->requirement.drift_mps);
     if (!isfinite(j->upper_mps) || j->lower_mps <= 0.0) {
-        fprintf(out, "  too few runs for limits: %d were made; try --runs 100\n", result->runs);
+        fputs("; try --runs 100\n", out);
         return;
     }
     const double width = fmax(j->upper_mps - j->value_mps, j->value_mps - j->lower_mps);
     const double runs =
         gap > 0.0 ? ceil(result->runs * (width / gap) * (width / gap)) : (double)INFINITY;
     if (runs <= 100000.0)
-        fprintf(out, "  about %.0f runs would tell (--runs %.0f)\n", runs, runs);
+        fprintf(out, "\n  about %.0f runs would tell (--runs %.0f)\n", runs, runs);
     else
-        fprintf(out, "  the drift is too close to the limit to be told from it\n");
+        fprintf(out, "\n  the drift is too close to the limit to be told from it\n");
 }
 
-static void put_limits(FILE *out, const schuler_judgement *j, int decimals)
+static void put_limits(FILE *out, const schuler_result *result, int decimals)
 {
-    if (j->lower_mps == j->upper_mps) {
-        fputs(" (nothing is drawn, every run is the same)", out);
-        return;
-    }
-    if (!isfinite(j->upper_mps) || j->lower_mps <= 0.0) {
-        fprintf(out, " (too few runs for %g %% limits)", 100.0 * j->confidence);
-        return;
-    }
-    fprintf(out, " (%g %% limits %.*f to ", 100.0 * j->confidence, decimals,
-            nmi_per_h(j->lower_mps));
-    fprintf(out, "%.*f)", decimals, nmi_per_h(j->upper_mps));
+    const schuler_judgement *j = &result->judgement;
+    if (j->lower_mps == j->upper_mps)
+        fputs("  nothing is drawn, every run is the same", out);
+    else if (!isfinite(j->upper_mps) || j->lower_mps <= 0.0)
+        fprintf(out, "  too few runs for %g %% limits: %d", 100.0 * j->confidence, result->runs);
+    else
+        fprintf(out, "  %g %% limits %.*f to %.*f nmi/h", 100.0 * j->confidence, decimals,
+                nmi_per_h(j->lower_mps), decimals, nmi_per_h(j->upper_mps));
 }
 
 void budget_verdict(FILE *out, const schuler_result *result)
@@ -110,19 +107,20 @@ void budget_verdict(FILE *out, const schuler_result *result)
     }
     const double value = nmi_per_h(j->value_mps), limit = nmi_per_h(required->drift_mps);
     const char *statistic = statistic_name(required->statistic);
-    decimals = decimals_for(value) > 6 ? 6 : decimals_for(value);
+    decimals = decimals_for(10.0 * value);
+    if (decimals > 6) decimals = 6;
     fprintf(out, "%s%s%s  drift %.*f nmi/h %s", terminal_colour(stdout, colour_of(j->verdict)),
             verdict_name(j->verdict), terminal_plain(stdout), decimals, value, statistic);
-    put_limits(out, j, decimals);
     fprintf(out, ", limit %g nmi/h %s\n", limit, statistic);
+    put_limits(out, result, decimals);
     if (j->verdict == SCHULER_VERDICT_PASS) {
         const schuler_budget_row *row = largest(result, NULL);
-        fprintf(out, "  margin %.3g %%", 100.0 * (1.0 - value / limit));
+        fprintf(out, ", margin %.3g %%\n", 100.0 * (1.0 - value / limit));
         if (row && row->share > 0.0)
-            fprintf(out, "; largest source: %s with %.1f %% of the variance", row->id,
+            fprintf(out, "  largest source: %s with %.1f %% of the variance\n", row->id,
                     100.0 * row->share);
-        fputc('\n', out);
     } else if (j->verdict == SCHULER_VERDICT_FAIL) {
+        fputc('\n', out);
         put_blame(out, result);
     } else {
         put_more_runs(out, result);

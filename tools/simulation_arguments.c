@@ -46,6 +46,7 @@ static void read_isa(simulation_arguments *a, const char *text, struct argp_stat
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     simulation_arguments *a = state->input;
+    if ((key == KEY_JSON || key == 'o') && !*arg) argp_error(state, "an empty file name");
     switch (key) {
     case KEY_IMU:
         a->overrides.imu = arg;

@@ -94,10 +94,14 @@ static schuler_status fly(const route_plan *plan, schuler_path *path, schuler_di
                        start->h_m);
     for (size_t i = 0; i < plan->count; i++) {
         schuler_status status = SCHULER_OK;
-        if (plan->points[i].speed_mps <= 0.0)
+        schuler_phase turn = plan->turns[i].phase;
+        if (plan->points[i].speed_mps <= 0.0) {
             status = stand(&b, plan, i, d);
-        else
-            status = follow(&b, &plan->turns[i].phase, &plan->points[i], d);
+        } else {
+            /* What fails here fails again when flown, and is reported there. */
+            if (route_aim_turn(&b, plan, i, &turn) != SCHULER_OK) turn = plan->turns[i].phase;
+            status = follow(&b, &turn, &plan->points[i], d);
+        }
         if (status == SCHULER_OK && i + 1 < plan->count)
             status = route_fly_straight(&b, plan, i, d);
         if (status != SCHULER_OK) return status;

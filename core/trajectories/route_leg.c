@@ -99,8 +99,7 @@ static double remaining(const schuler_path_builder *b, const route_plan *plan, s
     route_locate(&b->course, &lat_rad, &lon_rad, &azimuth_rad);
     schuler_geodesic_inverse(lat_rad, lon_rad, next->lat_rad, next->lon_rad, &s_m, &bearing_rad,
                              &unused);
-    const double ahead_m =
-        fabs(route_wrap(bearing_rad - azimuth_rad)) < 0.5 * SCHULER_PI ? s_m : -s_m;
+    const double ahead_m = s_m * cos(bearing_rad - azimuth_rad);
     return ahead_m - plan->turns[i + 1].entry_m;
 }
 

@@ -128,6 +128,28 @@ static schuler_status newton(const route_plan *plan, size_t i, double *entry_m, 
     return SCHULER_ERR_NUMERIC;
 }
 
+schuler_status route_aim_turn(const schuler_path_builder *b, const route_plan *plan, size_t i,
+                              schuler_phase *phase)
+{
+    const route_point *const next = &plan->points[i + 1];
+    if (phase->duration_s <= 0.0) return SCHULER_OK;
+    for (int iteration = 0; iteration < 5; iteration++) {
+        schuler_path_builder trial = *b;
+        trial.path = NULL;
+        const schuler_status status = schuler_course_follow(&trial, SCHULER_COURSE_TRACK, phase);
+        if (status != SCHULER_OK) return status;
+        double lat_rad, lon_rad, azimuth_rad, s_m, bearing_rad, unused;
+        route_locate(&trial.course, &lat_rad, &lon_rad, &azimuth_rad);
+        schuler_geodesic_inverse(lat_rad, lon_rad, next->lat_rad, next->lon_rad, &s_m, &bearing_rad,
+                                 &unused);
+        /* The end turns with the angle, one to one but for the curvature of the earth. */
+        const double off_rad = route_wrap(azimuth_rad - bearing_rad);
+        if (fabs(off_rad) < 1e-13 + 1e-8 / s_m) break;
+        *phase = turn_phase(&plan->points[i], phase->heading.trapezoid.change - off_rad);
+    }
+    return SCHULER_OK;
+}
+
 schuler_status route_solve_turn(const route_plan *plan, size_t i, route_turn *out,
                                 schuler_diagnostics *d)
 {

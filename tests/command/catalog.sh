@@ -29,11 +29,11 @@ done
 for model in linear static segments route ecef wgs84 egm96; do
     expect 0 "$SCHULER" models show $model
     has out "$model, a "
-    [ "$(awk 'length > 80' out | wc -l)" -eq 0 ] || complain "models show $model is wider than 80 columns"
+    [ "$(wc -L <out)" -le 80 ] || complain "models show $model is wider than 80 columns"
 done
 expect 0 "$SCHULER" models show linear
 has out "angle_random_walk"
-has out "source id: gyro.bias"
+has out "error source gyro.bias"
 expect 2 "$SCHULER" models show liner
 has err "did you mean 'linear'?"
 

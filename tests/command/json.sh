@@ -59,6 +59,16 @@ awk -F'[ %]+' '
         exit bad
     }' rows table >wrong || complain "$(cat wrong table)"
 
+# The limits of the verdict, rounded as it rounds.
+awk -v lower="$(json result.json requirement lower)" -v upper="$(json result.json requirement upper)" '
+    /% limits/ {
+        digits = length($4) - index($4, ".")
+        if ($4 - lower > 0.51 * 10 ^ -digits || lower - $4 > 0.51 * 10 ^ -digits) exit 1
+        if ($6 - upper > 0.51 * 10 ^ -digits || upper - $6 > 0.51 * 10 ^ -digits) exit 1
+        seen = 1
+    }
+    END { exit !seen }' table || complain "limits: $(grep limits table) are not those of the JSON"
+
 # budget.csv has them too, to the last digit.
 grep "^gyro.bias," result/budget.csv | grep -qF "$(json result.json budget "$(grep -n '^gyro.bias ' rows |
     cut -d: -f1 | awk '{ print $1 - 1 }')" horizontal_rms_m at_end)" || complain "budget.csv and JSON differ"

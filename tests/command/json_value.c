@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* json_value FILE [KEY...]: refuses what is not strict JSON; prints the value at the keys (an array takes
- * an index). Objects and arrays print their number of members. */
+/* json_value FILE [KEY...]: refuses what is not strict JSON; prints the value at the keys (an array
+ * takes an index). Objects and arrays print their number of members. */
 #include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>

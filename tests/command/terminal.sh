@@ -10,7 +10,7 @@ expect 0 "$SCHULER" run mission.yaml
 lacks out "$escape"
 lacks err "$escape"
 has out "█"
-[ "$(awk 'length > 80' out | wc -l)" -eq 0 ] || complain "wider than 80 columns: $(awk 'length > 80' out)"
+[ "$(wc -L <out)" -le 80 ] || complain "wider than 80 columns: $(wc -L <out)"
 LC_ALL=C "$SCHULER" run mission.yaml >ascii 2>err
 LC_ALL=C grep -q '[^ -~]' ascii && complain "not ASCII: $(LC_ALL=C grep '[^ -~]' ascii)"
 has ascii "#"
@@ -20,10 +20,13 @@ on_terminal() { script -qec "$*" /dev/null >out </dev/null; }
 unset NO_COLOR
 on_terminal "$SCHULER run mission.yaml --runs 200"
 has out "$escape[1;32mPASS"
-has out " left" # of the progress line, which is erased
+# Progress: truth shows it from its first step on; the line is erased at the end.
+on_terminal "$SCHULER truth mission.yaml --imu-out imu.csv"
+has out "  0 %$escape[K"
 NO_COLOR=1
 export NO_COLOR
 on_terminal "$SCHULER run mission.yaml --quiet"
 lacks out "$escape[1"
-lacks out " left"
+on_terminal "$SCHULER truth mission.yaml --imu-out imu.csv --quiet"
+lacks out "$escape"
 finish

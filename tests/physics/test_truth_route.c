@@ -78,6 +78,24 @@ static void a_leg_of_5000_km_stays_on_its_geodesic(void **state)
     schuler_path_free(&path);
 }
 
+static void short_legs_do_not_spoil_the_aim_of_a_long_one(void **state)
+{
+    (void)state;
+    schuler_waypoint_spec w[] = {
+        waypoint(38.0, -9.0, 100.0, 20.0),  waypoint(38.004, -9.0, NAN, NAN),
+        waypoint(38.004, -9.005, NAN, NAN), waypoint(38.0, -9.005, NAN, NAN),
+        waypoint(39.0, -40.0, NAN, NAN),
+    };
+    for (int i = 1; i < 4; i++) w[i].manner.radius_m = 50.0;
+    schuler_path path = build(w, 5);
+    for (double t_s = 600.0; t_s < path.duration_s; t_s += 5000.0) {
+        double along;
+        /* 1e-12 rad over 2700 km, and the 1e-7 m of the turn. */
+        CHECK_NEAR(beside(&w[3], &w[4], place_at(&path, t_s), &along), 0.0, 5e-6);
+    }
+    schuler_path_free(&path);
+}
+
 static void a_turn_leaves_one_leg_and_meets_the_next(void **state)
 {
     (void)state;
@@ -304,6 +322,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_leg_of_5000_km_stays_on_its_geodesic),
+        cmocka_unit_test(short_legs_do_not_spoil_the_aim_of_a_long_one),
         cmocka_unit_test(a_turn_leaves_one_leg_and_meets_the_next),
         cmocka_unit_test(values_hold_at_their_waypoints),
         cmocka_unit_test(climbs_come_early_and_descents_late),

@@ -143,6 +143,38 @@ static void a_turn_too_small_for_its_bank_takes_less(void **state)
     schuler_path_free(&path);
 }
 
+/* A steep climb that starts within 10 ms needs pieces shorter still; the days after it must not be
+ * built of such. */
+static void a_sharp_ramp_does_not_leave_short_pieces_behind(void **state)
+{
+    (void)state;
+    schuler_climb_spec climb = { .to_m = 21496.0, .at_mps = 0.042, .acceleration_mps2 = 8.0 };
+    schuler_variant items[] = { { &schuler_segment_climb, &climb } };
+    schuler_path path = flight_segments(at(21.3264, 8516.96, 77.9102, 0.00511121), items, 1);
+    /* 309 000 s in pieces of 256 s at most: 1207, and some hundreds for the two ramps. */
+    assert_in_range(path.count, 1207, 2500);
+    schuler_path_free(&path);
+}
+
+static void a_hundred_circles_lose_nothing(void **state)
+{
+    (void)state;
+    enum { TURNS = 25 };
+    schuler_turn_spec turn = { .by_rad = 1440.0 * DEG,
+                               .bank_rad = 45.0 * DEG,
+                               .roll_rate_radps = 20.0 * DEG };
+    schuler_variant items[TURNS];
+    for (int i = 0; i < TURNS; i++) items[i] = (schuler_variant){ &schuler_segment_turn, &turn };
+    schuler_path path = flight_segments(at(40.0, 1000.0, 30.0, 100.0), items, TURNS);
+    schuler_truth *truth = flight_truth(&path, 0.01, "wgs84", "wgs84");
+    schuler_truth_state s;
+    schuler_truth_at(truth, path.duration_s, &s);
+    /* Each turn's angle is rounded to double, 2e-15 of 25 rad. */
+    CHECK_NEAR(s.heading_rad, 30.0 * DEG, TURNS * 4e-15);
+    schuler_truth_free(truth);
+    schuler_path_free(&path);
+}
+
 /* Build something wrong; the message must hold what is said. */
 static void refuse(schuler_start start, schuler_variant *items, size_t count, const char *says)
 {
@@ -199,6 +231,8 @@ int main(void)
         cmocka_unit_test(a_coordinated_turn_has_no_side_force),
         cmocka_unit_test(straight_flight_keeps_its_heading),
         cmocka_unit_test(a_turn_too_small_for_its_bank_takes_less),
+        cmocka_unit_test(a_sharp_ramp_does_not_leave_short_pieces_behind),
+        cmocka_unit_test(a_hundred_circles_lose_nothing),
         cmocka_unit_test(what_cannot_be_flown_is_refused_with_its_place),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -24,9 +24,9 @@ static void a_trapezoid_reaches_its_change_exactly_and_keeps_the_limit(void **st
         assert_true((double)value(&z, T_s) == changes[i]);
         assert_true((double)value(&z, T_s + 5.0) == changes[i]);
         assert_true((double)value(&z, -1.0) == 0.0);
-        assert_true(z.rate * changes[i] > 0.0);
+        assert_true(z.rate * changes[i] > 0.0L);
         /* Durations are rounded to ticks, so the rate may be over by that much of a second. */
-        assert_true(fabs(z.rate) <= 3.0 * (1.0 + tick_s));
+        assert_true(fabs((double)z.rate) <= 3.0 * (1.0 + tick_s));
         assert_true(z.ramp_s == 2.0);
     }
 }
@@ -35,11 +35,11 @@ static void a_large_change_uses_the_whole_rate_and_a_small_one_less(void **state
 {
     (void)state;
     const schuler_trapezoid large = schuler_trapezoid_make(30.0, 3.0, 2.0);
-    CHECK_NEAR(large.rate, 3.0, 3.0 * tick_s);
+    CHECK_NEAR((double)large.rate, 3.0, 3.0 * tick_s);
     CHECK_NEAR(schuler_trapezoid_duration(&large), 30.0 / 3.0 + 2.0, tick_s);
     const schuler_trapezoid small = schuler_trapezoid_make(3.0, 3.0, 2.0);
     assert_true(small.plateau_s == 0.0);
-    CHECK_NEAR(small.rate, 1.5, 1e-15);
+    CHECK_NEAR((double)small.rate, 1.5, 1e-15);
     const schuler_trapezoid none = schuler_trapezoid_make(0.0, 3.0, 2.0);
     assert_true(schuler_trapezoid_duration(&none) == 0.0);
 }
@@ -112,6 +112,19 @@ static void a_late_ramp_keeps_its_digits(void **state)
     }
 }
 
+/* Plateau and falling ramp meet: just before and just after their joint. */
+static void the_parts_of_a_trapezoid_add_up(void **state)
+{
+    (void)state;
+    const schuler_trapezoid z = schuler_trapezoid_make(-20.5554, 0.0183, 0.12);
+    const schuler_instant joint = { z.ramp_s + z.plateau_s, 0.0L };
+    const schuler_instant after = { joint.joint_s, 1e-12L };
+    const long double moved =
+        schuler_trapezoid_value(&z, after) - schuler_trapezoid_value(&z, joint);
+    /* Extended rounding of 20 is 1e-18. */
+    CHECK_NEAR((double)(moved - z.rate * 1e-12L), 0.0, 1e-17);
+}
+
 static void durations_are_whole_ticks(void **state)
 {
     (void)state;
@@ -148,6 +161,7 @@ int main(void)
         cmocka_unit_test(the_rate_is_smooth_where_ramps_begin_and_end),
         cmocka_unit_test(the_ramp_keeps_the_jerk_it_was_made_for),
         cmocka_unit_test(a_late_ramp_keeps_its_digits),
+        cmocka_unit_test(the_parts_of_a_trapezoid_add_up),
         cmocka_unit_test(durations_are_whole_ticks),
         cmocka_unit_test(joints_are_ascending_and_distinct),
     };

@@ -112,7 +112,8 @@ static void put_params(FILE *out, schuler_instrument instrument, const schuler_p
         fprintf(out, "%*s", TEXT, "");
         fields_unit(out, p->dim);
         fields_range(out, p->min, p->max, p->dim);
-        if (!p->number) fprintf(out, "; default %g (SI)", p->def);
+        if (!p->number) fields_default(out, p->def, p->dim);
+        if (p->components > 1) fprintf(out, "; one value or %d", p->components);
         fputc('\n', out);
         if (p->companion) fprintf(out, "%*sneeds %s\n", TEXT, "", p->companion);
         if (p->number)
