@@ -43,6 +43,31 @@ static void every_gallery_mission_closes(void **state)
     }
 }
 
+/* Flight along a parallel (reference section 9.2): all rates and forces constant in the local
+ * frame. And over the pole of the earth-fixed frame's axis nothing happens: a route from 80 N to 80
+ * N on the other side. */
+static void steady_flight_closes_anywhere(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "scenario: parallel\ntrajectory:\n  kind: segments\n"
+        "  start: {lat: 45 deg, lon: 7 deg, height: 10 km, heading: 90 deg, speed: 250 m/s}\n"
+        "  segments: [cruise: {for: 1 h}]\n"
+        "imu: {rate: 100 Hz, accel: {model: linear}, gyro: {model: linear}}\n",
+        "scenario: pole\ntrajectory:\n  kind: route\n  waypoints:\n"
+        "    - {lat: 80 deg, lon: 10 deg, height: 10 km, speed: 250 m/s}\n"
+        "    - {lat: 80 deg, lon: 191 deg, height: 10 km, speed: 250 m/s}\n"
+        "imu: {rate: 100 Hz, accel: {model: linear}, gyro: {model: linear}}\n",
+    };
+    for (size_t i = 0; i < sizeof(texts) / sizeof(texts[0]); i++) {
+        schuler_scenario *s = mission_text(texts[i]);
+        const double max_m = closing_m(s);
+        print_message("%-12s closes to %.3g mm\n", s->name, max_m * 1e3);
+        assert_true(max_m < 1e-5);
+        schuler_scenario_free(s);
+    }
+}
+
 /* Two samples: the rate linear in time is wrong in its second derivative, which leaves third order:
  * 2^3 for each halving, to a tenth. Four samples: fourth order inside the ramps, less at their
  * ends, where the second derivative of the rate jumps; over three halvings more than 2^8. */
@@ -82,6 +107,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_gallery_mission_closes),
+        cmocka_unit_test(steady_flight_closes_anywhere),
         cmocka_unit_test(halving_the_step_follows_the_order),
         cmocka_unit_test(slower_navigation_cycles_close_too),
     };

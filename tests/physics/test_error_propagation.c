@@ -142,6 +142,38 @@ static void single_errors_move_as_the_reference_says(void **state)
     }
 }
 
+/* At the equator the level channels do not couple through the Coriolis term, and in the psi form an
+ * accelerometer or a start leaves the attitude alone: the north channel is a pure Schuler pendulum,
+ * w^2 = g/R_M (D1b, D3's formula). Reference section 3. Left: the gradient of g along the meridian,
+ * f and m of the normal field, a few 1e-3 of (g/R) times the latitude difference of 1e-4 rad, and
+ * the chord for the arc: below 1e-5. */
+static void on_the_equator_the_north_channel_is_a_schuler_pendulum(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "scenario: equator\nruns: 1\n"
+        "trajectory: {kind: static, start: {lat: 0 deg, lon: 7 deg, height: 0 m}, for: 5064 s}\n"
+        "report: {every: 633 s}\n"
+        "imu: {rate: 50 Hz, accel: {model: linear, bias: [50 ug, 0 ug, 0 ug]}, gyro: {model: "
+        "linear}}\n"
+        "initial: {velocity: [0.1 m/s, 0 m/s, 0 m/s]}\n";
+    schuler_scenario *s = mission_text(text);
+    mission_trace bias = mission_errors(s, "accel.bias");
+    mission_trace velocity = mission_errors(s, "initial.velocity");
+    const double w = sqrt(9.78032533590389 / schuler_earth_meridian_radius(0.0));
+    const double b_mps2 = 50e-6 * SCHULER_G0_MPS2;
+    for (size_t i = 1; i < bias.count; i++) {
+        const double t = bias.rows[i].time_s;
+        CHECK_NEAR(bias.rows[i].r_n[0], b_mps2 / (w * w) * (1.0 - cos(w * t)),
+                   1e-5 * 2.0 * b_mps2 / (w * w));
+        CHECK_NEAR(bias.rows[i].v_n[0], b_mps2 / w * sin(w * t), 1e-5 * b_mps2 / w);
+        CHECK_NEAR(velocity.rows[i].r_n[0], 0.1 / w * sin(w * t), 1e-5 * 0.1 / w);
+    }
+    free(bias.rows);
+    free(velocity.rows);
+    schuler_scenario_free(s);
+}
+
 /* With the vertical held to the truth nothing moves along it. */
 static void the_held_vertical_channel_stays(void **state)
 {
@@ -272,6 +304,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(single_errors_move_as_the_reference_says),
+        cmocka_unit_test(on_the_equator_the_north_channel_is_a_schuler_pendulum),
         cmocka_unit_test(the_held_vertical_channel_stays),
         cmocka_unit_test(the_free_vertical_channel_runs_away),
         cmocka_unit_test(random_walks_spread_as_the_covariance_says),
