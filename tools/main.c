@@ -117,5 +117,5 @@ int main(int argc, char **argv)
     signal(SIGPIPE, SIG_IGN); /* a write that fails is an error like any other */
     terminal_start();
     atexit(close_output);
-    return dispatch(argc, argv);
+    return (int)dispatch(argc, argv);
 }
