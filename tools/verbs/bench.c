@@ -5,6 +5,7 @@
 #include "tools/json.h"
 #include "tools/messages.h"
 #include "tools/page.h"
+#include "tools/scenario_input.h"
 #include "tools/stop.h"
 #include <stdbool.h>
 #include <string.h>
@@ -110,23 +111,18 @@ exit_code verb_bench(int argc, char **argv)
 {
     bench_arguments a = { .rounds = 9 };
     arguments_parse(&argp, argc, argv, &a);
-    schuler_scenario *s = NULL;
-    schuler_diagnostics d = { 0 };
-    schuler_status status = schuler_scenario_load(&s, a.file, NULL, &d);
-    say_diagnostics(&d, true);
-    schuler_diagnostics_free(&d);
-    if (status != SCHULER_OK) return exit_of(status);
-
+    schuler_scenario *s;
+    exit_code code = scenario_input(a.file, NULL, false, &s);
+    if (code != EXIT_DONE) return code;
     schuler_bench bench;
     schuler_error error = { 0 };
     stop_catch();
-    status = schuler_bench_run(s, a.rounds, stop_flag(), &bench, &error);
+    const schuler_status status = schuler_bench_run(s, a.rounds, stop_flag(), &bench, &error);
     schuler_scenario_free(s);
     if (status != SCHULER_OK) {
         say_error(&error);
         return exit_of(status);
     }
-    exit_code code = EXIT_DONE;
     if (!a.json || strcmp(a.json, "-") != 0) {
         page p;
         page_open(&p);

@@ -5,40 +5,14 @@
 #include "sensors/model.h"
 #include "tools/arguments.h"
 #include "tools/fields.h"
+#include "tools/list_show.h"
 #include "tools/messages.h"
 #include "tools/names.h"
 #include "tools/page.h"
 #include <string.h>
 
-typedef struct {
-    const char *action, *name;
-} models_arguments;
-
-static error_t parse(int key, char *arg, struct argp_state *state)
-{
-    static const char *const actions[] = { "list", "show", NULL };
-    models_arguments *a = state->input;
-    switch (key) {
-    case ARGP_KEY_ARG:
-        if (!a->action)
-            a->action = actions[arguments_choice(state, "the action", arg, actions)];
-        else if (!a->name && strcmp(a->action, "show") == 0)
-            a->name = arg;
-        else
-            argp_error(state, "too many arguments: '%s'", arg);
-        return 0;
-    case ARGP_KEY_END:
-        if (!a->action) a->action = "list";
-        if (strcmp(a->action, "show") == 0 && !a->name)
-            argp_error(state, "show which model? 'schuler models list' lists them");
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
 static const struct argp argp = {
-    .parser = parse,
+    .parser = list_show_parse,
     .args_doc = "[list]\nshow NAME",
     .doc =
         "What a scenario can choose from: sensor error models, trajectories, navigation frames and "
@@ -172,7 +146,7 @@ static exit_code unknown(const char *name)
 
 exit_code verb_models(int argc, char **argv)
 {
-    models_arguments a = { 0 };
+    list_show_arguments a = { .what = "model" };
     arguments_parse(&argp, argc, argv, &a);
     page p;
     page_open(&p);

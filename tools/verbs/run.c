@@ -7,6 +7,7 @@
 #include "tools/page.h"
 #include "tools/result_csv.h"
 #include "tools/result_json.h"
+#include "tools/scenario_input.h"
 #include "tools/simulation_arguments.h"
 #include "tools/stop.h"
 #include "tools/terminal.h"
@@ -174,13 +175,9 @@ exit_code verb_run(int argc, char **argv)
 {
     simulation_arguments a = { 0 };
     arguments_parse(&argp, argc, argv, &a);
-    schuler_scenario *scenario = NULL;
-    schuler_diagnostics d = { 0 };
-    const schuler_status status = schuler_scenario_load(&scenario, a.file, &a.overrides, &d);
-    say_diagnostics(&d, !a.quiet);
-    schuler_diagnostics_free(&d);
-    exit_code code = status == SCHULER_ERR_MEMORY ? EXIT_FAILED : EXIT_INPUT;
-    if (status == SCHULER_OK) code = simulate(scenario, &a);
+    schuler_scenario *scenario;
+    exit_code code = scenario_input(a.file, &a.overrides, a.quiet, &scenario);
+    if (code == EXIT_DONE) code = simulate(scenario, &a);
     schuler_scenario_free(scenario);
     return code;
 }

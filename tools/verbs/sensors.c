@@ -3,41 +3,15 @@
 #include "scenarios/scenario.h"
 #include "sensors/catalog.h"
 #include "tools/arguments.h"
+#include "tools/list_show.h"
 #include "tools/messages.h"
 #include "tools/names.h"
 #include "tools/page.h"
 #include "tools/terminal.h"
 #include <string.h>
 
-typedef struct {
-    const char *action, *name;
-} sensors_arguments;
-
-static error_t parse(int key, char *arg, struct argp_state *state)
-{
-    static const char *const actions[] = { "list", "show", NULL };
-    sensors_arguments *a = state->input;
-    switch (key) {
-    case ARGP_KEY_ARG:
-        if (!a->action)
-            a->action = actions[arguments_choice(state, "the action", arg, actions)];
-        else if (!a->name && strcmp(a->action, "show") == 0)
-            a->name = arg;
-        else
-            argp_error(state, "too many arguments: '%s'", arg);
-        return 0;
-    case ARGP_KEY_END:
-        if (!a->action) a->action = "list";
-        if (strcmp(a->action, "show") == 0 && !a->name)
-            argp_error(state, "show which part? 'schuler sensors list' lists them");
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
 static const struct argp argp = {
-    .parser = parse,
+    .parser = list_show_parse,
     .args_doc = "[list]\nshow NAME",
     .doc =
         "The catalog of real inertial measurement units. 'show' takes a catalog name or a sensor "
@@ -61,17 +35,17 @@ static const char *figure(const schuler_imu *imu, schuler_instrument instrument,
 static void list_row(FILE *out, const char *name, const char *grade, const char *gyro_bias,
                      const char *arw, const char *accel_bias, const char *title)
 {
-    enum { NAME = 10, GRADE = 11, BIAS = 13, ARW = 20 };
+    enum { NAME = 8, GRADE = 10, GYRO_BIAS = 15, ARW = 20, ACCEL_BIAS = 10 };
     fputs("  ", out);
     page_cell(out, name, NAME);
     fputc(' ', out);
     page_cell(out, grade, GRADE);
     fputc(' ', out);
-    page_cell(out, gyro_bias, BIAS);
+    page_cell(out, gyro_bias, GYRO_BIAS);
     fputc(' ', out);
     page_cell(out, arw, ARW);
     fputc(' ', out);
-    page_cell(out, accel_bias, BIAS);
+    page_cell(out, accel_bias, ACCEL_BIAS);
     fprintf(out, " %s\n", title);
 }
 
@@ -191,7 +165,7 @@ static exit_code show_named(FILE *out, const char *name)
 
 exit_code verb_sensors(int argc, char **argv)
 {
-    sensors_arguments a = { 0 };
+    list_show_arguments a = { .what = "part" };
     arguments_parse(&argp, argc, argv, &a);
     page p;
     page_open(&p);

@@ -6,6 +6,7 @@
 #include "tools/arguments.h"
 #include "tools/messages.h"
 #include "tools/outfile.h"
+#include "tools/scenario_input.h"
 #include "tools/simulation_arguments.h"
 #include "tools/stop.h"
 #include "tools/terminal.h"
@@ -182,13 +183,9 @@ exit_code verb_truth(int argc, char **argv)
 {
     truth_arguments a = { 0 };
     arguments_parse(&argp, argc, argv, &a);
-    schuler_scenario *s = NULL;
-    schuler_diagnostics d = { 0 };
-    const schuler_status status = schuler_scenario_load(&s, a.file, &a.overrides, &d);
-    say_diagnostics(&d, !a.quiet);
-    schuler_diagnostics_free(&d);
-    exit_code code = status == SCHULER_ERR_MEMORY ? EXIT_FAILED : EXIT_INPUT;
-    if (status == SCHULER_OK) code = write_truth(s, &a);
+    schuler_scenario *s;
+    exit_code code = scenario_input(a.file, &a.overrides, a.quiet, &s);
+    if (code == EXIT_DONE) code = write_truth(s, &a);
     schuler_scenario_free(s);
     return code;
 }

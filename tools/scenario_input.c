@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+#include "tools/scenario_input.h"
+#include "tools/messages.h"
+
+exit_code scenario_input(const char *file, const schuler_overrides *overrides, bool quiet,
+                         schuler_scenario **out)
+{
+    schuler_diagnostics d = { 0 };
+    *out = NULL;
+    const schuler_status status = schuler_scenario_load(out, file, overrides, &d);
+    say_diagnostics(&d, !quiet);
+    schuler_diagnostics_free(&d);
+    if (status == SCHULER_OK) return EXIT_DONE;
+    return status == SCHULER_ERR_MEMORY ? EXIT_FAILED : EXIT_INPUT;
+}
