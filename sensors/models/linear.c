@@ -18,146 +18,75 @@ enum {
     QUANTIZATION,
 };
 
-#define GM_TIME_PARAM                                                                              \
+/* An error source of three components; dim is a SCHULER_DIM_ name. */
+#define SOURCE(KEY, NUMBER, DIM, MIN, MAX, EXAMPLE, DOC, FORMULA, ...)                             \
     {                                                                                              \
-        .key = "gauss_markov_time", .dim = { 0, 2, 0, 0 }, .components = 3, .def = 100.0,          \
-        .min = 1e-3, .max = 1e9, .example = "100 s", .doc = "correlation time of gauss_markov",    \
-        .companion = "gauss_markov"                                                                \
+        .key = KEY, .number = NUMBER, .dim = SCHULER_DIM_##DIM, .components = 3, .min = MIN,       \
+        .max = MAX, .example = EXAMPLE, .doc = DOC, .formula = FORMULA, __VA_ARGS__                \
     }
 
+/* What accelerometers and gyros have in the same units, numbers from FIRST on. */
+#define SHARED_PARAMS(FIRST, SCALE_EXAMPLE)                                                        \
+    [SCALE_FACTOR] = SOURCE("scale_factor", (FIRST) + 1, NONE, -0.5, 0.5, SCALE_EXAMPLE,           \
+                            "scale-factor error of each axis", "y = (1 + s) x", .noisy = 0),       \
+    [MISALIGNMENT] = { .key = "misalignment",                                                      \
+                       .number = (FIRST) + 2,                                                      \
+                       .dim = SCHULER_DIM_ANGLE,                                                   \
+                       .components = 6,                                                            \
+                       .min = -0.5,                                                                \
+                       .max = 0.5,                                                                 \
+                       .example = "10 arcsec",                                                     \
+                       .doc = "small angles xy, xz, yx, yz, zx, zy toward the other axes",         \
+                       .formula = "y_x = x_x + M_xy x_y + M_xz x_z, and cyclic" },                 \
+    [GAUSS_MARKOV_TIME] = { .key = "gauss_markov_time",                                            \
+                            .dim = SCHULER_DIM_TIME,                                               \
+                            .components = 3,                                                       \
+                            .def = 100.0,                                                          \
+                            .min = 1e-3,                                                           \
+                            .max = 1e9,                                                            \
+                            .example = "100 s",                                                    \
+                            .doc = "correlation time of gauss_markov",                             \
+                            .companion = "gauss_markov" }
+
+#define WHITE_FORMULA  "y = x + N sqrt(dt) w"
+#define MARKOV_FORMULA "db/dt = -b/T + sigma sqrt(2/T) w"
+#define COUNT_FORMULA  "y = round((x + r)/lsb) lsb"
+
 static const schuler_param accel_params[] = {
-    [BIAS] = { .key = "bias",
-               .number = 100,
-               .dim = { 2, -4, 0, 0 },
-               .components = 3,
-               .min = -1e3,
-               .max = 1e3,
-               .example = "50 ug",
-               .doc = "constant bias of each axis",
-               .formula = "y = x + b dt" },
-    [SCALE_FACTOR] = { .key = "scale_factor",
-                       .number = 101,
-                       .components = 3,
-                       .min = -0.5,
-                       .max = 0.5,
-                       .example = "100 ppm",
-                       .doc = "scale-factor error of each axis",
-                       .formula = "y = (1 + s) x" },
-    [MISALIGNMENT] = { .key = "misalignment",
-                       .number = 102,
-                       .dim = { 0, 0, 2, 0 },
-                       .components = 6,
-                       .min = -0.5,
-                       .max = 0.5,
-                       .example = "10 arcsec",
-                       .doc = "small angles xy, xz, yx, yz, zx, zy toward the other axes",
-                       .formula = "y_x = x_x + M_xy x_y + M_xz x_z, and cyclic" },
-    [RANDOM_WALK] = { .key = "velocity_random_walk",
-                      .number = 103,
-                      .dim = { 2, -3, 0, 0 },
-                      .components = 3,
-                      .max = 1e3,
-                      .noisy = 1,
-                      .example = "0.003 m/s/sqrt(h)",
-                      .doc = "white noise of the specific force, as its velocity random walk N",
-                      .formula = "y = x + N sqrt(dt) w" },
-    [GAUSS_MARKOV] = { .key = "gauss_markov",
-                       .number = 104,
-                       .dim = { 2, -4, 0, 0 },
-                       .components = 3,
-                       .max = 1e3,
-                       .noisy = 1,
-                       .example = "10 ug",
-                       .doc = "bias that wanders as a first-order Gauss-Markov process, its sigma",
-                       .formula = "db/dt = -b/T + sigma sqrt(2/T) w",
-                       .companion = "gauss_markov_time" },
-    [GAUSS_MARKOV_TIME] = GM_TIME_PARAM,
-    [BIAS_RANDOM_WALK] = { .key = "bias_random_walk",
-                           .number = 105,
-                           .dim = { 2, -5, 0, 0 },
-                           .components = 3,
-                           .max = 1e3,
-                           .noisy = 1,
-                           .example = "1 ug/sqrt(h)",
-                           .doc = "bias that wanders without limit, its coefficient K",
-                           .formula = "db/dt = K w" },
-    [QUANTIZATION] = { .key = "quantization",
-                       .number = 106,
-                       .dim = { 2, -2, 0, 0 },
-                       .components = 3,
-                       .max = 1e3,
-                       .noisy = 1,
-                       .example = "0.0001 m/s",
-                       .doc = "velocity of one count; the remainder is carried",
-                       .formula = "y = round((x + r)/lsb) lsb" },
+    [BIAS] = SOURCE("bias", 100, ACCEL, -1e3, 1e3, "50 ug", "constant bias of each axis",
+                    "y = x + b dt", .noisy = 0),
+    SHARED_PARAMS(100, "100 ppm"),
+    [RANDOM_WALK] = SOURCE("velocity_random_walk", 103, VRW, 0, 1e3, "0.003 m/s/sqrt(h)",
+                           "white noise of the specific force, as its velocity random walk N",
+                           WHITE_FORMULA, .noisy = 1),
+    [GAUSS_MARKOV] = SOURCE("gauss_markov", 104, ACCEL, 0, 1e3, "10 ug",
+                            "bias that wanders as a first-order Gauss-Markov process, its sigma",
+                            MARKOV_FORMULA, .noisy = 1, .companion = "gauss_markov_time"),
+    [BIAS_RANDOM_WALK] =
+        SOURCE("bias_random_walk", 105, ACCEL_RW, 0, 1e3, "1 ug/sqrt(h)",
+               "bias that wanders without limit, its coefficient K", "db/dt = K w", .noisy = 1),
+    [QUANTIZATION] =
+        SOURCE("quantization", 106, SPEED, 0, 1e3, "0.0001 m/s",
+               "velocity of one count; the remainder is carried", COUNT_FORMULA, .noisy = 1),
     { 0 },
 };
 
 static const schuler_param gyro_params[] = {
-    [BIAS] = { .key = "bias",
-               .number = 200,
-               .dim = { 0, -2, 2, 0 },
-               .components = 3,
-               .min = -1e2,
-               .max = 1e2,
-               .example = "0.01 deg/h",
-               .doc = "constant drift of each axis",
-               .formula = "y = x + b dt" },
-    [SCALE_FACTOR] = { .key = "scale_factor",
-                       .number = 201,
-                       .components = 3,
-                       .min = -0.5,
-                       .max = 0.5,
-                       .example = "5 ppm",
-                       .doc = "scale-factor error of each axis",
-                       .formula = "y = (1 + s) x" },
-    [MISALIGNMENT] = { .key = "misalignment",
-                       .number = 202,
-                       .dim = { 0, 0, 2, 0 },
-                       .components = 6,
-                       .min = -0.5,
-                       .max = 0.5,
-                       .example = "10 arcsec",
-                       .doc = "small angles xy, xz, yx, yz, zx, zy toward the other axes",
-                       .formula = "y_x = x_x + M_xy x_y + M_xz x_z, and cyclic" },
-    [RANDOM_WALK] = { .key = "angle_random_walk",
-                      .number = 203,
-                      .dim = { 0, -1, 2, 0 },
-                      .components = 3,
-                      .max = 1e2,
-                      .noisy = 1,
-                      .example = "0.003 deg/sqrt(h)",
-                      .doc = "white noise of the rate, as its angle random walk N",
-                      .formula = "y = x + N sqrt(dt) w" },
-    [GAUSS_MARKOV] = { .key = "gauss_markov",
-                       .number = 204,
-                       .dim = { 0, -2, 2, 0 },
-                       .components = 3,
-                       .max = 1e2,
-                       .noisy = 1,
-                       .example = "0.003 deg/h",
-                       .doc = "drift that wanders as a first-order Gauss-Markov process, its sigma",
-                       .formula = "db/dt = -b/T + sigma sqrt(2/T) w",
-                       .companion = "gauss_markov_time" },
-    [GAUSS_MARKOV_TIME] = GM_TIME_PARAM,
-    [BIAS_RANDOM_WALK] = { .key = "bias_random_walk",
-                           .number = 205,
-                           .dim = { 0, -3, 2, 0 },
-                           .components = 3,
-                           .max = 1e2,
-                           .noisy = 1,
-                           .example = "0.001 deg/h/sqrt(h)",
-                           .doc = "drift that wanders without limit (rate random walk), K",
-                           .formula = "db/dt = K w" },
-    [QUANTIZATION] = { .key = "quantization",
-                       .number = 206,
-                       .dim = { 0, 0, 2, 0 },
-                       .components = 3,
-                       .max = 1.0,
-                       .noisy = 1,
-                       .example = "1 arcsec",
-                       .doc = "angle of one count; the remainder is carried",
-                       .formula = "y = round((x + r)/lsb) lsb" },
+    [BIAS] = SOURCE("bias", 200, RATE, -1e2, 1e2, "0.01 deg/h", "constant drift of each axis",
+                    "y = x + b dt", .noisy = 0),
+    SHARED_PARAMS(200, "5 ppm"),
+    [RANDOM_WALK] =
+        SOURCE("angle_random_walk", 203, ARW, 0, 1e2, "0.003 deg/sqrt(h)",
+               "white noise of the rate, as its angle random walk N", WHITE_FORMULA, .noisy = 1),
+    [GAUSS_MARKOV] = SOURCE("gauss_markov", 204, RATE, 0, 1e2, "0.003 deg/h",
+                            "drift that wanders as a first-order Gauss-Markov process, its sigma",
+                            MARKOV_FORMULA, .noisy = 1, .companion = "gauss_markov_time"),
+    [BIAS_RANDOM_WALK] =
+        SOURCE("bias_random_walk", 205, RRW, 0, 1e2, "0.001 deg/h/sqrt(h)",
+               "drift that wanders without limit (rate random walk), K", "db/dt = K w", .noisy = 1),
+    [QUANTIZATION] =
+        SOURCE("quantization", 206, ANGLE, 0, 1.0, "1 arcsec",
+               "angle of one count; the remainder is carried", COUNT_FORMULA, .noisy = 1),
     { 0 },
 };
 
