@@ -32,7 +32,8 @@ static const schuler_object truth_object = {
 static const schuler_field initial_fields[] = {
     VALUE("position", position, 3, SCHULER_DIM_LENGTH, "{normal: 10 m}", "north, east, down"),
     VALUE("velocity", velocity, 3, SCHULER_DIM_SPEED, "{normal: 0.1 m/s}", "north, east, down"),
-    VALUE("tilt", tilt, 2, SCHULER_DIM_ANGLE, "{normal: 10 arcsec}", "about north and east"),
+    VALUE("tilt", tilt, 2, SCHULER_DIM_ANGLE, "{normal: 10 arcsec}",
+          "phi about north and east: the computed attitude is (I - [phi x]) C_b_n"),
     VALUE("heading", heading, 1, SCHULER_DIM_ANGLE, "{normal: 1 arcmin}", "computed minus true"),
     { .key = NULL },
 };
