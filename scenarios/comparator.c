@@ -37,11 +37,17 @@ void schuler_compare_attitude(const schuler_nav_state *nav, const schuler_truth_
     row->heading_rad = wrapped(heading_rad - truth->heading_rad);
 }
 
+void schuler_metrics_start(lane_metrics *m, const schuler_error_row *row)
+{
+    for (int i = 0; i < 2; i++) m->start_m[i] = row->r_n[i];
+}
+
 double schuler_metrics_take(lane_metrics *m, const schuler_error_row *row)
 {
     const double r2 = row->r_n[0] * row->r_n[0] + row->r_n[1] * row->r_n[1];
     const double r = sqrt(r2), t = row->time_s;
-    m->sum_tr += t * r;
+    const double dn = row->r_n[0] - m->start_m[0], de = row->r_n[1] - m->start_m[1];
+    m->sum_tr += t * sqrt(dn * dn + de * de);
     m->sum_tt += t * t;
     m->sum_v2 += row->v_n[0] * row->v_n[0] + row->v_n[1] * row->v_n[1];
     m->count += 1.0;

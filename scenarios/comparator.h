@@ -19,10 +19,14 @@ void schuler_compare_attitude(const schuler_nav_state *nav, const schuler_truth_
 
 /* What is kept of a lane as it goes. */
 typedef struct {
+    double start_m[2];     /* north, east at the start                              */
     double sum_tr, sum_tt; /* of the radial error: for the slope through the origin */
     double sum_v2, count;  /* horizontal velocity error                             */
     double end_m, max_m;   /* horizontal error                                      */
 } lane_metrics;
+
+/** The error at the start, which the slope is not to count: it is subtracted as a vector. */
+void schuler_metrics_start(lane_metrics *m, const schuler_error_row *row);
 
 /** Take in one report. Returns the square of the horizontal error, m^2. */
 double schuler_metrics_take(lane_metrics *m, const schuler_error_row *row);

@@ -67,7 +67,9 @@ static schuler_status compare_group(const lane_batch_state *b, int g, const bloc
             return schuler_fail(err, SCHULER_ERR_NUMERIC, NULL,
                                 "the navigator of '%s', run %d, was no longer finite at %.10g s",
                                 schuler_plan_row_id(b->plan, l->row), l->run, at->truth.t_s);
-        if (at->index > 0)
+        if (at->index == 0)
+            schuler_metrics_start(&out->metrics[l->result], &row);
+        else
             out->curve_m2[(size_t)l->chunk * reports + at->index - 1] +=
                 schuler_metrics_take(&out->metrics[l->result], &row);
         if (out->rows) out->rows[(size_t)l->result * (reports + 1) + at->index] = row;

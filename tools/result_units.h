@@ -8,7 +8,8 @@
 
 static inline double nmi_per_h(double mps)
 {
-    return mps * 3600.0 / SCHULER_NMI_M;
+    return mps /
+           (SCHULER_NMI_M / 3600.0); /* as the unit is read, so that a limit prints as written */
 }
 
 /* Name of a requirement's statistic, and that statistic of a row's slopes. */

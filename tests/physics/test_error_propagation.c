@@ -142,6 +142,32 @@ static void single_errors_move_as_the_reference_says(void **state)
     }
 }
 
+/* A navigator that believes to be 1 km away is level there: it shows no attitude error and stays
+ * (reference section 3). Only the earth's rate of the wrong latitude turns it, W sin(L) 1 km/R =
+ * 8e-9 rad/s, which in 300 s moves it by R e w^2 t^3/6 = 0.4 m. Its constant error is no drift. */
+static void an_initial_position_error_stays(void **state)
+{
+    (void)state;
+    for (int axis = 0; axis < 2; axis++) {
+        schuler_scenario *s =
+            at_rest(1, "300 s", "bias: 0 ug", "bias: 0 deg/h",
+                    axis == 0 ? "position: [1 km, 0 m, 0 m]" : "position: [0 m, 1 km, 0 m]");
+        s->report_s = 10.0;
+        mission_trace t = mission_errors(s, "initial.position");
+        CHECK_NEAR(t.rows[0].roll_rad, 0.0, 1e-12);
+        CHECK_NEAR(t.rows[0].pitch_rad, 0.0, 1e-12);
+        CHECK_NEAR(t.rows[0].heading_rad, 0.0, 1e-12);
+        CHECK_NEAR(t.rows[t.count - 1].r_n[axis], 1000.0, 1.0);
+        CHECK_NEAR(t.rows[t.count - 1].r_n[1 - axis], 0.0, 1.0);
+        const schuler_run_options options = { .threads = 1 };
+        schuler_result *r = mission_run(s, &options);
+        CHECK_NEAR(mission_row(r, "initial.position")->slope_mps[0], 0.0, 1.0 / 300.0);
+        schuler_result_free(r);
+        free(t.rows);
+        schuler_scenario_free(s);
+    }
+}
+
 /* At the equator the level channels do not couple through the Coriolis term, and in the psi form an
  * accelerometer or a start leaves the attitude alone: the north channel is a pure Schuler pendulum,
  * w^2 = g/R_M (D1b, D3's formula). Reference section 3. Left: the gradient of g along the meridian,
@@ -304,6 +330,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(single_errors_move_as_the_reference_says),
+        cmocka_unit_test(an_initial_position_error_stays),
         cmocka_unit_test(on_the_equator_the_north_channel_is_a_schuler_pendulum),
         cmocka_unit_test(the_held_vertical_channel_stays),
         cmocka_unit_test(the_free_vertical_channel_runs_away),

@@ -116,7 +116,6 @@ exit_code verb_bench(int argc, char **argv)
     if (code != EXIT_DONE) return code;
     schuler_bench bench;
     schuler_error error = { 0 };
-    stop_catch();
     const schuler_status status = schuler_bench_run(s, a.rounds, stop_flag(), &bench, &error);
     schuler_scenario_free(s);
     if (status != SCHULER_OK) {

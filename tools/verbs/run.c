@@ -153,7 +153,6 @@ static exit_code simulate(const schuler_scenario *scenario, const simulation_arg
                                              .errors = errors.file ? on_errors : NULL,
                                              .user = &s,
                                              .stop = stop_flag() };
-        stop_catch();
         const schuler_status status = schuler_simulate(scenario, &wanted, &result, &error);
         progress_end(&bar);
         code = exit_of(status);

@@ -140,7 +140,6 @@ static exit_code write_files(const schuler_truth *truth, int64_t every, const tr
     exit_code code = a->imu ? outfile_open(&imu, a->imu) : EXIT_DONE;
     if (code == EXIT_DONE && a->reference) code = outfile_open(&reference, a->reference);
     if (code == EXIT_DONE) {
-        stop_catch();
         code = put_rows(truth, every, imu.file, reference.file, &bar);
     }
     progress_end(&bar);
