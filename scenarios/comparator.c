@@ -2,7 +2,7 @@
 #include "scenarios/comparator.h"
 #include <math.h>
 
-/* Into (-pi, pi]: the short way round. */
+/* Into [-pi, pi]: the short way round. */
 static double wrapped(double angle_rad)
 {
     return remainder(angle_rad, 2.0 * SCHULER_PI);

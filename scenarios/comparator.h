@@ -7,6 +7,9 @@
 #include "mechanization/mechanization.h"
 #include "scenarios/simulation.h"
 
+/* Heights beyond which a navigator is lost: the gravity table holds from -1 to 50 km and goes wrong slowly. */
+enum { COMPARATOR_HEIGHT_MIN_M = -10000, COMPARATOR_HEIGHT_MAX_M = 100000 };
+
 /** Position and velocity errors of one lane at one instant, resolved in NED at the truth; attitude
  * is left zero. */
 schuler_error_row schuler_compare(const schuler_nav_state *nav, const schuler_truth_state *truth);

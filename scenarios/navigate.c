@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "scenarios/navigate.h"
+#include "scenarios/comparator.h"
 #include "scenarios/disturbance.h"
 #include "scenarios/increments.h"
 #include <math.h>
 #include <stdlib.h>
-
-/* Where the gravity polynomials are still close; a free vertical channel leaves it in time. */
-static const double LOWEST_M = -10e3, HIGHEST_M = 100e3;
 
 typedef struct {
     const schuler_navigate_options *options;
@@ -94,7 +92,7 @@ static schuler_status report(navigation *nav, const schuler_trajectory_row *refe
                             "the navigator's state is no longer finite at %.9g s", reference->t_s);
     schuler_mat3 C_b_n;
     const schuler_trajectory_row row = row_of(&s, reference->t_s, &C_b_n);
-    if (row.llh.h_m < LOWEST_M || row.llh.h_m > HIGHEST_M)
+    if (row.llh.h_m < COMPARATOR_HEIGHT_MIN_M || row.llh.h_m > COMPARATOR_HEIGHT_MAX_M)
         return schuler_fail(
             err, SCHULER_ERR_NUMERIC, NULL,
             "at %.9g s the navigator's height is %.4g km, where gravity is not known%s",

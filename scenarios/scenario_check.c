@@ -2,6 +2,8 @@
 /* Checks of a scenario that look at registries, at more than one key or at the compiled path. */
 #include "mechanization/mechanization.h"
 #include "scenarios/reader.h"
+#include "scenarios/source_count.h"
+#include "scenarios/sources.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -117,10 +119,17 @@ void schuler_scenario_check_duration(schuler_reading *r, const schuler_scenario_
         schuler_diagnose(r->d, SCHULER_ERR_INPUT, &file->report.place,
                          "report.every: this gives %.0f reports in %.0f s; allowed: %d",
                          duration_s / s->report_s, duration_s, REPORTS_MAX);
-    if (s->report_s * s->imu.rate_hz < 1.0 - 1e-9)
+    if (s->report_s * s->imu.rate_hz < 1.0 - 1e-6)
         schuler_diagnose(r->d, SCHULER_ERR_INPUT, &file->report.place,
                          "report.every: %g s is shorter than the interval of the samples, %g s",
                          s->report_s, 1.0 / s->imu.rate_hz);
+    if (s->requirement.given && schuler_scenario_source_count(s) == 0 &&
+        (s->without.count > 0 ||
+         (s->only.count > 0 && !schuler_source_selected(s, "numerical", "numerical"))))
+        schuler_diagnose(
+            r->d, SCHULER_ERR_INPUT, &s->requirement.place,
+            "there is nothing to hold the requirement against: the selection of error sources "
+            "(errors.only, errors.without) leaves none that this scenario has");
     if (s->requirement.given && duration_s < schuler_period_s)
         schuler_warn(r->d, &s->requirement.place,
                      "the mission of %.0f s is shorter than one Schuler period (84.4 min), so the "

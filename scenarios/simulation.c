@@ -33,7 +33,9 @@ typedef struct {
 static void fail(gathering *g, size_t batch, schuler_status status, const schuler_error *error)
 {
     pthread_mutex_lock(&g->lock);
-    if (g->status == SCHULER_OK || batch < g->failed_batch) {
+    /* A batch that only heard of it ends as interrupted: that never hides the reason. */
+    const int better = g->status == SCHULER_ERR_INTERRUPTED || batch < g->failed_batch;
+    if (g->status == SCHULER_OK || (status != SCHULER_ERR_INTERRUPTED && better)) {
         g->status = status;
         g->error = *error;
         g->failed_batch = batch;

@@ -4,12 +4,13 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A report that falls into the current block: after `cut` of its samples. */
+/* An instant within the current block where something happens: after `cut` of its samples. */
 typedef struct {
     int cut;
-    size_t index; /* 0 is the start */
+    bool is_report, is_hold;
+    size_t index; /* of the report; 0 is the start */
     schuler_truth_state truth;
-} block_report;
+} block_event;
 
 static void measure(const lane_batch_state *b, const lane_group *group,
                     const schuler_truth_block *truth)
@@ -49,7 +50,7 @@ static void navigate(const lane_batch_state *b, const lane_group *group,
 
 /* Errors of one group's lanes. Groups come in order and lanes of a chunk are in run order, so the
  * sums over runs are taken in run order, whatever the width of a vector. */
-static schuler_status compare_group(const lane_batch_state *b, int g, const block_report *at,
+static schuler_status compare_group(const lane_batch_state *b, int g, const block_event *at,
                                     batch_result *out, schuler_error *err)
 {
     const size_t reports = b->plan->reports;
@@ -67,6 +68,16 @@ static schuler_status compare_group(const lane_batch_state *b, int g, const bloc
             return schuler_fail(err, SCHULER_ERR_NUMERIC, NULL,
                                 "the navigator of '%s', run %d, was no longer finite at %.10g s",
                                 schuler_plan_row_id(b->plan, l->row), l->run, at->truth.t_s);
+        /* Held to the truth the height needs no look; free, it runs away. */
+        const double h_m = b->plan->scenario->vertical == SCHULER_VERTICAL_FREE
+                               ? schuler_llh_from_ecef(nav.r_e).h_m
+                               : 0.0;
+        if (h_m < COMPARATOR_HEIGHT_MIN_M || h_m > COMPARATOR_HEIGHT_MAX_M)
+            return schuler_fail(
+                err, SCHULER_ERR_NUMERIC, NULL,
+                "the navigator of '%s', run %d, was at a height of %.4g km at %.10g s, where "
+                "gravity is not known",
+                schuler_plan_row_id(b->plan, l->row), l->run, 1e-3 * h_m, at->truth.t_s);
         if (at->index == 0)
             schuler_metrics_start(&out->metrics[l->result], &row);
         else
@@ -77,16 +88,30 @@ static schuler_status compare_group(const lane_batch_state *b, int g, const bloc
     return SCHULER_OK;
 }
 
-/* The reports within samples first+1 .. first+n; out has room for SCHULER_BLOCK of them. */
-static int reports_in(const simulation_plan *p, int64_t first, int n, block_report *out)
+/* The vertical channel is held at every report and at least so often, whatever the rate: in a third of a second 1 mg
+ * makes half a millimetre. */
+static int hold_interval(const simulation_plan *p)
 {
+    const int update = p->scenario->samples_per_update;
+    const int samples = (int)(0.32 * p->scenario->imu.rate_hz) / update * update;
+    return samples < update ? update : samples > SCHULER_BLOCK ? SCHULER_BLOCK : samples;
+}
+
+/* The events within samples first+1 .. first+n; out has room for SCHULER_BLOCK of them. */
+static int events_in(const simulation_plan *p, int64_t first, int n, block_event *out)
+{
+    const bool holding = p->scenario->vertical == SCHULER_VERTICAL_TRUTH;
+    const int interval = hold_interval(p);
     int count = 0;
     for (int cut = 1; cut <= n; cut++) {
         const int64_t step = first + cut;
-        if (step % p->report_steps != 0 && step != p->steps) continue;
-        out[count].cut = cut;
-        out[count].index = step == p->steps ? p->reports : (size_t)(step / p->report_steps);
-        schuler_truth_at(p->truth, (double)step * schuler_truth_dt(p->truth), &out[count].truth);
+        block_event *e = &out[count];
+        e->is_report = step % p->report_steps == 0 || step == p->steps;
+        e->is_hold = holding && (e->is_report || cut % interval == 0 || cut == n);
+        if (!e->is_report && !e->is_hold) continue;
+        e->cut = cut;
+        e->index = step == p->steps ? p->reports : (size_t)(step / p->report_steps);
+        schuler_truth_at(p->truth, (double)step * schuler_truth_dt(p->truth), &e->truth);
         count++;
     }
     return count;
@@ -96,35 +121,33 @@ static schuler_status fly(const lane_batch_state *b, batch_tick tick, void *user
                           schuler_error *err)
 {
     const simulation_plan *p = b->plan;
-    const double dt_s = schuler_truth_dt(p->truth);
-    block_report reports[SCHULER_BLOCK];
-    reports[0].index = 0;
-    schuler_truth_at(p->truth, 0.0, &reports[0].truth);
+    block_event events[SCHULER_BLOCK];
+    events[0].index = 0;
+    schuler_truth_at(p->truth, 0.0, &events[0].truth);
     schuler_status status = SCHULER_OK;
     for (int g = 0; g < b->group_count && status == SCHULER_OK; g++)
-        status = compare_group(b, g, &reports[0], out, err);
+        status = compare_group(b, g, &events[0], out, err);
 
     for (int64_t first = 0; first < p->steps && status == SCHULER_OK; first += SCHULER_BLOCK) {
         const int64_t left = p->steps - first;
         const int n = left < SCHULER_BLOCK ? (int)left : SCHULER_BLOCK;
-        const int count = reports_in(p, first, n, reports);
+        const int count = events_in(p, first, n, events);
         schuler_truth_block truth;
-        schuler_truth_state end;
         schuler_truth_block_compute(p->truth, p->isa, first, n, &truth);
-        const bool hold = p->scenario->vertical == SCHULER_VERTICAL_TRUTH && n == SCHULER_BLOCK;
-        if (hold) schuler_truth_at(p->truth, (double)(first + n) * dt_s, &end);
 
         for (int g = 0; g < b->group_count && status == SCHULER_OK; g++) {
             const lane_group *group = &b->groups[g];
             measure(b, group, &truth);
             int from = 0;
-            for (int r = 0; r < count && status == SCHULER_OK; r++) {
-                navigate(b, group, &truth, from, reports[r].cut - from);
-                from = reports[r].cut;
-                status = compare_group(b, g, &reports[r], out, err);
+            for (int i = 0; i < count && status == SCHULER_OK; i++) {
+                const block_event *e = &events[i];
+                navigate(b, group, &truth, from, e->cut - from);
+                from = e->cut;
+                if (e->is_hold)
+                    b->frame->hold_vertical(group->nav, e->truth.llh.h_m, -e->truth.v_n.v[2]);
+                if (e->is_report) status = compare_group(b, g, e, out, err);
             }
             if (from < n) navigate(b, group, &truth, from, n - from);
-            if (hold) b->frame->hold_vertical(group->nav, end.llh.h_m, -end.v_n.v[2]);
         }
         if (status == SCHULER_OK && tick(user, (int64_t)n * b->count))
             status = schuler_fail(err, SCHULER_ERR_INTERRUPTED, NULL, "interrupted");

@@ -66,9 +66,13 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->set[a->overrides.count_set++] = arg;
         return 0;
     case KEY_ONLY:
+        if (a->overrides.only || !*arg)
+            argp_error(state, "--only: one list, SOURCE,..., not empty");
         a->overrides.only = arg;
         return 0;
     case KEY_WITHOUT:
+        if (a->overrides.without || !*arg)
+            argp_error(state, "--without: one list, SOURCE,..., not empty");
         a->overrides.without = arg;
         return 0;
     case KEY_JSON:

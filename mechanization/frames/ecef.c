@@ -4,11 +4,12 @@
  *
  * One navigation cycle of length T, w = Omega T z the earth's turn in it:
  *
- *     phi  = alpha + beta                                      rotation vector of the body
- *     u_e  = (1 - w/2 x) C_b_e [alpha, upsilon rotated + scul]    the earth turns meanwhile
+ *     phi  = alpha + beta                                 rotation vector of the body
+ *     u_e  = (1 - w/2 x) C_b_e [alpha, upsilon rotated + scul]
  *     g    = gravity at the mean position of the cycle
- *     dv   = u_e + g T - 2 w x (v + dv_before/12 + 5/12 dv)    Coriolis of the mean velocity,
- * solved for dv r   += T (v + dv/2 - (dv - dv_before)/12) q    = q(-w) q q(phi)
+ *     dv   = u_e + g T - 2 w x (v + dv_before/12 + 5/12 dv)     solved for dv
+ *     r   += T (v + dv/2 - (dv - dv_before)/12)
+ *     q    = q(-w) q q(phi)
  *
  * Means take the acceleration as linear over this cycle and the one before. Left out: the change of
  * force during the earth's turn, w/12 x (u_e - u_before), which sums to w/12 x (the change of u_e).
