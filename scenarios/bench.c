@@ -50,6 +50,7 @@ static void set(schuler_scenario *s, schuler_instrument i, const char *key, doub
 static schuler_scenario sensors_for(const schuler_scenario *base, int normals)
 {
     schuler_scenario s = *base;
+    s.samples_per_update = 1;
     s.only = s.without = (schuler_text_list){ 0 };
     s.requirement = (schuler_requirement){ 0 };
     s.truth_gravity = s.nav_gravity = "wgs84";
@@ -152,8 +153,9 @@ static schuler_status two_threads(const share *work, double *ratio, schuler_erro
     do_share(&one);
     pthread_join(thread, NULL);
     *ratio = (middle_s - start_s) / (seconds(CLOCK_MONOTONIC) - middle_s);
-    if (err && one.status != SCHULER_OK) *err = one.error;
-    return one.status;
+    const share *worse = one.status != SCHULER_OK ? &one : &other;
+    if (err && worse->status != SCHULER_OK) *err = worse->error;
+    return worse->status;
 }
 
 schuler_status schuler_bench_run(const schuler_scenario *scenario, int rounds,

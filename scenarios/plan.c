@@ -67,7 +67,7 @@ schuler_status schuler_plan_make(simulation_plan *p, int threads, bool rows_want
     }
     /* Several batches for each thread, so that the last to finish has not much left to do; but not
      * so small that computing the truth for each begins to count. With error rows kept, 32 MB a
-     * batch. */
+     * batch; but a chunk is not cut, so very many reports take more: 80 bytes a report and lane. */
     const double share = total / (threads == 1 ? 1.0 : 5.0 * threads);
     int lanes_max = BATCH_LANES;
     if (rows_wanted) {

@@ -104,6 +104,7 @@ static schuler_status hand_out(gathering *g, size_t batch, const batch_result *f
                                         p->reports + 1);
     }
     pthread_mutex_lock(&g->lock);
+    if (status != SCHULER_OK) atomic_store(&g->stopped, 1); /* before the next one's turn */
     if (ours) g->turn++;
     pthread_cond_broadcast(&g->turn_changed);
     pthread_mutex_unlock(&g->lock);
