@@ -13,9 +13,6 @@
 #if !defined(SCHULER_LANES) || !defined(SCHULER_ISA_SUFFIX)
 #error "lane code is compiled once per instruction set: add it with schuler_lane_sources()"
 #endif
-#ifdef __FP_FAST_FMA
-/* Having the instruction is fine; contracting to it is not, and -ffp-contract=off sees to that. */
-#endif
 
 #if SCHULER_LANES == 1
 typedef double lanes;
