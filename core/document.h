@@ -30,11 +30,13 @@ struct schuler_node {
 typedef struct schuler_document schuler_document; /* owns text, nodes and names */
 
 /** Read and parse one YAML document. Refused with a place: syntax errors, duplicate keys (with the
- * line of the first), anchors and aliases, tags, non-scalar keys, depth over 64, NUL or invalid
- * UTF-8, size over 16 MiB, more than 200000 nodes or 1000 keys in a map, a directory, an empty
- * file. Given      path    file to read;  or for _parse: name to show, text and its length Returned
- * out     owned by the caller: schuler_document_free; NULL when there were errors d       what was
- * wrong Errors     SCHULER_ERR_FILE cannot be read; SCHULER_ERR_INPUT; SCHULER_ERR_MEMORY */
+ *  line of the first), anchors and aliases, tags, non-scalar keys, depth over 64, NUL or invalid
+ *  UTF-8, size over 16 MiB, more than 200000 nodes or 1000 keys in a map, a directory, an empty
+ *  file.
+ *  Given      path    file to read;  or for _parse: name to show, text and its length
+ *  Returned   out     owned by the caller: schuler_document_free; NULL when there were errors
+ *             d       what was wrong
+ *  Errors     SCHULER_ERR_FILE cannot be read; SCHULER_ERR_INPUT; SCHULER_ERR_MEMORY */
 SCHULER_API SCHULER_NODISCARD schuler_status schuler_document_load(schuler_document **out,
                                                                    const char *path,
                                                                    schuler_diagnostics *d);
@@ -55,8 +57,8 @@ SCHULER_API const schuler_node *schuler_node_find(const schuler_node *map, const
 
 /** Put a value at a dotted path ("imu.gyro.bias", "trajectory.segments.0.hold.for" or
  *  "trajectory.segments[0].hold.for"), making maps that are missing. value is YAML flow text.
- * Places then have the file "--set PATH=VALUE" and no line. Errors     SCHULER_ERR_INPUT with the
- * reason in d */
+ *  Places then have the file "--set PATH=VALUE" and no line.
+ *  Errors     SCHULER_ERR_INPUT with the reason in d */
 SCHULER_API SCHULER_NODISCARD schuler_status schuler_document_set(schuler_document *doc,
                                                                   const char *path,
                                                                   const char *value,

@@ -3,7 +3,8 @@
  * included by files that are compiled once per instruction set (schuler_lane_sources in CMake).
  *
  * What may be written here: + - * / on lanes, and the functions below. Nothing else, so that every
- * lane gets the same bits at any width: no libm, no compare, no reduction across lanes. */
+ * lane gets the same bits at any width: no libm, no compare but lanes_greater, no reduction across
+ * lanes. */
 #ifndef SCHULER_CORE_LANES_H
 #define SCHULER_CORE_LANES_H
 
@@ -11,7 +12,12 @@
 #include <string.h>
 
 #if !defined(SCHULER_LANES) || !defined(SCHULER_ISA_SUFFIX)
+#if defined(SCHULER_BUILDING)
 #error "lane code is compiled once per instruction set: add it with schuler_lane_sources()"
+#endif
+/* In a plug-in (sensors/plugin.h). */
+#define SCHULER_LANES      1
+#define SCHULER_ISA_SUFFIX plugin
 #endif
 
 #if SCHULER_LANES == 1
@@ -86,6 +92,43 @@ LANES_INLINE lanes lanes_sqrt(lanes x)
     for (int i = 0; i < SCHULER_LANES; i++) x[i] = sqrt(x[i]);
     return x;
 #endif
+}
+
+/* All bits set where a > b. */
+LANES_INLINE lanes_u64 lanes_greater(lanes a, lanes b)
+{
+#if SCHULER_LANES == 1
+    return a > b ? ~(uint64_t)0 : 0;
+#else
+    return (lanes_u64)(a > b);
+#endif
+}
+
+/* a where the bits of mask are set, b where they are not. */
+LANES_INLINE lanes lanes_select(lanes_u64 mask, lanes a, lanes b)
+{
+    return lanes_from_bits((lanes_bits(a) & mask) | (lanes_bits(b) & ~mask));
+}
+
+LANES_INLINE lanes lanes_max(lanes a, lanes b)
+{
+    return lanes_select(lanes_greater(a, b), a, b);
+}
+
+LANES_INLINE lanes lanes_min(lanes a, lanes b)
+{
+    return lanes_select(lanes_greater(a, b), b, a);
+}
+
+LANES_INLINE lanes lanes_abs(lanes x)
+{
+    return lanes_from_bits(lanes_bits(x) & lanes_u64_set(~(1ULL << 63)));
+}
+
+LANES_INLINE lanes lanes_copysign(lanes magnitude, lanes sign)
+{
+    const lanes_u64 bit = lanes_u64_set(1ULL << 63);
+    return lanes_from_bits((lanes_bits(magnitude) & ~bit) | (lanes_bits(sign) & bit));
 }
 
 /* To the nearest whole number, ties to even, |x| < 2^51. */

@@ -20,7 +20,8 @@ typedef struct {
 } schuler_path_gravity;
 
 /** Sample field minus table along the path, gaps of at most 5 km of arc and 1 km of height. Nothing
- * is done for a field without a disturbance. Errors   SCHULER_ERR_MEMORY */
+ *  is done for a field without a disturbance.
+ *  Errors   SCHULER_ERR_MEMORY */
 SCHULER_NODISCARD schuler_status schuler_path_gravity_sample(schuler_path_gravity *out,
                                                              const schuler_path *path,
                                                              const schuler_field_model *field,

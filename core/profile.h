@@ -62,7 +62,8 @@ typedef struct {
 
 enum { SCHULER_PHASE_JOINTS = 14 };
 /** The instants between which a phase is one analytic function: 0, ..., duration; ascending,
- * distinct. Returned   joints_s;  the function's value is how many (2 or more) */
+ *  distinct.
+ *  Returned   joints_s;  the function's value is how many (2 or more) */
 int schuler_phase_joints(const schuler_phase *phase, double joints_s[SCHULER_PHASE_JOINTS]);
 
 #endif

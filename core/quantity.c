@@ -29,7 +29,7 @@ static const dim_name dim_names[] = {
     { SCHULER_DIM_VRW, "velocity random walk", "0.003 m/s/sqrt(h)" },
     { SCHULER_DIM_RRW, "rate random walk", "0.001 deg/h/sqrt(h)" },
     { SCHULER_DIM_ACCEL_RW, "acceleration random walk", "1 ug/sqrt(h)" },
-    { { 0, 0, 0, 2 }, "temperature difference", "10 K" },
+    { SCHULER_DIM_TEMPERATURE, "temperature difference", "10 K" },
 };
 
 static const dim_name *find_dim(schuler_dim dim)
@@ -42,7 +42,7 @@ static const dim_name *find_dim(schuler_dim dim)
 bool schuler_dim_equal(schuler_dim a, schuler_dim b)
 {
     return a.length2 == b.length2 && a.time2 == b.time2 && a.angle2 == b.angle2 &&
-           a.temperature2 == b.temperature2;
+           a.temperature2 == b.temperature2 && a.mass2 == b.mass2 && a.magnetic2 == b.magnetic2;
 }
 
 const char *schuler_dim_name(schuler_dim dim, const char **example)

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/truth.h"
-#include "core/path_gravity.h"
-#include "core/truth_lanes.h"
+#include "core/truth_private.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,23 +9,6 @@
 static const double at_joint = 1e-6;
 /* Longer steps are integrated in parts, so that three nodes do for any rate. */
 static const double part_s = 0.02;
-
-/* Steps of a piece: k is wholly inside when first <= k < end. */
-typedef struct {
-    int64_t first, end;
-    double s0; /* s at the start of step first */
-} piece_steps;
-
-struct schuler_truth {
-    const schuler_path *path;
-    double dt_s;
-    int64_t steps;
-    int parts;
-    int has_dg, same_table;
-    piece_steps *pieces; /* one per piece of the path */
-    schuler_gravity_table truth_table, nav_table;
-    schuler_path_gravity truth_dg, nav_dg; /* beyond each one's own table */
-};
 
 const schuler_truth_lanes *schuler_truth_lanes_for(schuler_isa isa)
 {
@@ -176,9 +158,8 @@ static void fill_dg(const schuler_truth *truth, schuler_truth_block *out, schule
     }
 }
 
-/* The piece's polynomials with their time derivatives multiplied out; s0, ds and dt_s are left to
- * the caller. */
-static void prepare(const schuler_truth *truth, const schuler_piece *piece, schuler_truth_run *run)
+void schuler_truth_prepare(const schuler_truth *truth, const schuler_piece *piece,
+                           schuler_truth_run *run)
 {
     const double per_s = 2.0 / piece->duration_s;
     const schuler_mat3 C_b0_e = schuler_mat3_from_quat(piece->q0_b_e);
@@ -222,7 +203,7 @@ static void split_step(const schuler_truth *truth, const schuler_truth_lanes *la
         const long double b = p + 1 == truth->path->count || to < t1 ? to : t1;
         if (a >= to) return;
         schuler_truth_run run;
-        prepare(truth, piece, &run);
+        schuler_truth_prepare(truth, piece, &run);
         run.s0 = (double)((a - t0) * 2.0L / piece->duration_s - 1.0L);
         run.ds = (double)((b - a) * 2.0L / piece->duration_s);
         run.dt_s = (double)(b - a);
@@ -248,11 +229,36 @@ static int beyond_reach(const schuler_truth *truth, size_t p, double ds, int64_t
     return p + 1 == truth->path->count && (double)(k + 1 - steps->end) > reach;
 }
 
+int schuler_truth_next_run(const schuler_truth *truth, size_t *p, int64_t k, int left,
+                           schuler_truth_run *run, double *index)
+{
+    const size_t count = truth->path->count;
+    while (*p + 1 < count && truth->pieces[*p + 1].first <= k) ++*p;
+    while (*p > 0 && truth->pieces[*p].first > k) --*p;
+    const piece_steps *const steps = &truth->pieces[*p];
+    const schuler_piece *const piece = &truth->path->pieces[*p];
+    int64_t whole = *p + 1 == count ? left : steps->end - k;
+    if (whole > left) whole = left;
+    if (whole <= 0) return 0;
+    schuler_truth_prepare(truth, piece, run);
+    run->dt_s = truth->dt_s;
+    run->s0 = steps->s0;
+    run->ds = (double)((long double)truth->dt_s * 2.0L / piece->duration_s);
+    if (beyond_reach(truth, *p, run->ds, k) || beyond_reach(truth, *p, run->ds, k + whole - 1)) {
+        whole = 1;
+        if (beyond_reach(truth, *p, run->ds, k)) {
+            run->s0 = k < 0 ? -SCHULER_PIECE_REACH : SCHULER_PIECE_REACH;
+            run->ds = 0.0;
+        }
+    }
+    *index = (double)(k - steps->first);
+    return (int)whole;
+}
+
 void schuler_truth_block_compute(const schuler_truth *truth, schuler_isa isa, int64_t first, int n,
                                  schuler_truth_block *out)
 {
     const schuler_truth_lanes *const lanes = schuler_truth_lanes_for(isa);
-    const size_t count = truth->path->count;
     schuler_columns beyond_e;
     out->first = first;
     out->n = n;
@@ -268,33 +274,14 @@ void schuler_truth_block_compute(const schuler_truth *truth, schuler_isa isa, in
 
     size_t p = schuler_path_find(truth->path, (double)first * truth->dt_s);
     for (int i = 0; i < n;) {
-        const int64_t k = first + i;
-        while (p + 1 < count && truth->pieces[p + 1].first <= k) p++;
-        while (p > 0 && truth->pieces[p].first > k) p--;
-        const piece_steps *const steps = &truth->pieces[p];
-        const schuler_piece *const piece = &truth->path->pieces[p];
-        int64_t whole = p + 1 == count ? n - i : steps->end - k;
-        if (whole > n - i) whole = n - i;
-        if (whole <= 0) {
-            split_step(truth, lanes, p, k, i, dg_e, out);
-            i++;
-            continue;
-        }
         schuler_truth_run run;
-        prepare(truth, piece, &run);
-        run.dt_s = truth->dt_s;
-        run.s0 = steps->s0;
-        run.ds = (double)((long double)truth->dt_s * 2.0L / piece->duration_s);
-        if (beyond_reach(truth, p, run.ds, k) || beyond_reach(truth, p, run.ds, k + whole - 1)) {
-            whole = 1;
-            if (beyond_reach(truth, p, run.ds, k)) {
-                run.s0 = k < 0 ? -SCHULER_PIECE_REACH : SCHULER_PIECE_REACH;
-                run.ds = 0.0;
-            }
-        }
-        lanes->increments(&run, (double)(k - steps->first), i, (int)whole, dg_e, out->dtheta_ib_b,
-                          out->dv_ib_b);
-        i += (int)whole;
+        double index;
+        const int whole = schuler_truth_next_run(truth, &p, first + i, n - i, &run, &index);
+        if (whole > 0)
+            lanes->increments(&run, index, i, whole, dg_e, out->dtheta_ib_b, out->dv_ib_b);
+        else
+            split_step(truth, lanes, p, first + i, i, dg_e, out);
+        i += whole > 0 ? whole : 1;
     }
 }
 

@@ -49,16 +49,19 @@ static const unit units[] = {
     { "kts", NMI / 3600.0, SCHULER_DIM_SPEED }, { "mph", 1609.344 / 3600.0, SCHULER_DIM_SPEED },
     { "%", 1e-2, SCHULER_DIM_NONE },       { "ppm", 1e-6, SCHULER_DIM_NONE },
     { "ppb", 1e-9, SCHULER_DIM_NONE },
-    { "K", 1.0, { 0, 0, 0, 2 } },          { "mK", 1e-3, { 0, 0, 0, 2 } },
-    { "degC", 1.0, { 0, 0, 0, 2 } }, /* as a difference */
+    { "K", 1.0, SCHULER_DIM_TEMPERATURE },          { "mK", 1e-3, SCHULER_DIM_TEMPERATURE },
+    { "degC", 1.0, SCHULER_DIM_TEMPERATURE }, /* as a difference */
+    { "kg", 1.0, { 0, 0, 0, 0, 2, 0 } },   { "gram", 1e-3, { 0, 0, 0, 0, 2, 0 } },
+    { "T", 1.0, { 0, 0, 0, 0, 0, 2 } },    { "mT", 1e-3, { 0, 0, 0, 0, 0, 2 } },
+    { "uT", 1e-6, { 0, 0, 0, 0, 0, 2 } },  { "gauss", 1e-4, { 0, 0, 0, 0, 0, 2 } },
 };
 /* clang-format on */
 
-enum { UNIT_COUNT = sizeof units / sizeof units[0], NAME_MAX_BYTES = 16, DEPTH_MAX = 16 };
+enum { UNIT_COUNT = sizeof units / sizeof units[0], NAME_MAX_BYTES = 16, DEPTH_MAX = 16, DIMS = 6 };
 
 typedef struct {
     double si;
-    int exponent2[4]; /* length, time, angle, temperature, doubled */
+    int exponent2[DIMS]; /* in the order of schuler_dim, doubled */
 } term;
 
 typedef struct {
@@ -149,10 +152,10 @@ static void raise_term(term *t, int exponent2)
 static schuler_status to_power(const scanner *s, term *t, int exponent2, const char *from)
 {
     raise_term(t, exponent2);
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < DIMS; i++) {
         const int e = t->exponent2[i] * exponent2;
-        if (e % 2 != 0 || e > 32 || e < -32)
-            return refuse(s, from, s->at, "'%.*s': only whole and half powers up to 8 are units");
+        if (e % 2 != 0 || e > 64 || e < -64)
+            return refuse(s, from, s->at, "'%.*s': only whole and half powers up to 16 are units");
         t->exponent2[i] = e / 2;
     }
     return SCHULER_OK;
@@ -181,7 +184,8 @@ static schuler_status scan_parenthesis(scanner *s, term *out, const char *from)
 
 static void from_unit(term *out, const unit *u)
 {
-    *out = (term){ u->si, { u->dim.length2, u->dim.time2, u->dim.angle2, u->dim.temperature2 } };
+    const schuler_dim d = u->dim;
+    *out = (term){ u->si, { d.length2, d.time2, d.angle2, d.temperature2, d.mass2, d.magnetic2 } };
 }
 
 /* A name, with the data sheets' "rtHz" and "rt(h)"; or sqrt(...). */
@@ -219,7 +223,7 @@ static schuler_status scan_primary(scanner *s, term *out)
     if (is_letter(*s->at) || sign(s->at, &ascii) > 0) return scan_name_term(s, out);
     if (s->at[0] == '1' && !(s->at[1] >= '0' && s->at[1] <= '9')) {
         s->at++;
-        *out = (term){ 1.0, { 0, 0, 0, 0 } };
+        *out = (term){ 1.0, { 0 } };
         return SCHULER_OK;
     }
     const char *end = s->at + strlen(s->at);
@@ -245,13 +249,13 @@ static schuler_status scan_exponent(scanner *s, term *t, const char *from)
     if (parenthesis && take(s, "/2")) exponent *= 0.5;
     if ((parenthesis && !take(s, ")")) || fabs(exponent) > 8.0 ||
         floor(2.0 * exponent) != 2.0 * exponent)
-        return refuse(s, from, s->at, "'%.*s': only whole and half powers up to 8 are units");
+        return refuse(s, from, s->at, "'%.*s': only whole and half powers up to 16 are units");
     return to_power(s, t, (int)(2.0 * exponent), from);
 }
 
 static schuler_status scan_product(scanner *s, term *out)
 {
-    *out = (term){ 1.0, { 0, 0, 0, 0 } };
+    *out = (term){ 1.0, { 0 } };
     const char *const start = s->at;
     for (int sense = 1;;) {
         const char *const from = s->at;
@@ -260,10 +264,10 @@ static schuler_status scan_product(scanner *s, term *out)
         if (rc == SCHULER_OK) rc = scan_exponent(s, &t, from);
         if (rc != SCHULER_OK) return rc;
         out->si = sense > 0 ? out->si * t.si : out->si / t.si;
-        for (int i = 0; i < 4; i++) {
+        for (int i = 0; i < DIMS; i++) {
             out->exponent2[i] += sense * t.exponent2[i];
-            if (out->exponent2[i] > 16 || out->exponent2[i] < -16)
-                return refuse(s, start, s->at, "'%.*s': powers up to 8 only");
+            if (out->exponent2[i] > 32 || out->exponent2[i] < -32)
+                return refuse(s, start, s->at, "'%.*s': powers up to 16 only");
         }
         if (take(s, "/"))
             sense = -1;
@@ -287,7 +291,8 @@ schuler_status schuler_unit_parse(const char *text, double *si, schuler_dim *dim
     if (rest != end) return refuse(&s, rest, end, "'%.*s' does not belong to the unit");
     if (!(t.si > 0.0 && isfinite(t.si))) return refuse(&s, from, end, "'%.*s' is out of range");
     *si = t.si;
-    *dim = (schuler_dim){ (signed char)t.exponent2[0], (signed char)t.exponent2[1],
-                          (signed char)t.exponent2[2], (signed char)t.exponent2[3] };
+    const int *const e = t.exponent2;
+    *dim = (schuler_dim){ (signed char)e[0], (signed char)e[1], (signed char)e[2],
+                          (signed char)e[3], (signed char)e[4], (signed char)e[5] };
     return SCHULER_OK;
 }

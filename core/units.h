@@ -10,25 +10,26 @@
 SCHULER_BEGIN_C
 
 typedef struct {
-    signed char length2, time2, angle2, temperature2; /* twice the exponent */
+    signed char length2, time2, angle2, temperature2, mass2, magnetic2; /* twice the exponent */
 } schuler_dim;
 
 /* Initialisers, for tables; in an expression write (schuler_dim)SCHULER_DIM_SPEED. */
 /* clang-format off */
-#define SCHULER_DIM_NONE          { 0, 0, 0, 0 }
-#define SCHULER_DIM_LENGTH        { 2, 0, 0, 0 }
-#define SCHULER_DIM_TIME          { 0, 2, 0, 0 }
-#define SCHULER_DIM_FREQUENCY     { 0, -2, 0, 0 }
-#define SCHULER_DIM_ANGLE         { 0, 0, 2, 0 }
-#define SCHULER_DIM_RATE          { 0, -2, 2, 0 }  /* rad/s          */
-#define SCHULER_DIM_ANGULAR_ACCEL { 0, -4, 2, 0 }  /* rad/s^2        */
-#define SCHULER_DIM_SPEED         { 2, -2, 0, 0 }  /* m/s            */
-#define SCHULER_DIM_ACCEL         { 2, -4, 0, 0 }  /* m/s^2          */
-#define SCHULER_DIM_JERK          { 2, -6, 0, 0 }  /* m/s^3          */
-#define SCHULER_DIM_ARW           { 0, -1, 2, 0 }  /* rad/sqrt(s)    */
-#define SCHULER_DIM_VRW           { 2, -3, 0, 0 }  /* m/s/sqrt(s)    */
-#define SCHULER_DIM_RRW           { 0, -3, 2, 0 }  /* rad/s/sqrt(s)  */
-#define SCHULER_DIM_ACCEL_RW      { 2, -5, 0, 0 }  /* m/s^2/sqrt(s)  */
+#define SCHULER_DIM_NONE          { 0, 0, 0, 0, 0, 0 }
+#define SCHULER_DIM_LENGTH        { 2, 0, 0, 0, 0, 0 }
+#define SCHULER_DIM_TIME          { 0, 2, 0, 0, 0, 0 }
+#define SCHULER_DIM_FREQUENCY     { 0, -2, 0, 0, 0, 0 }
+#define SCHULER_DIM_ANGLE         { 0, 0, 2, 0, 0, 0 }
+#define SCHULER_DIM_RATE          { 0, -2, 2, 0, 0, 0 }  /* rad/s          */
+#define SCHULER_DIM_ANGULAR_ACCEL { 0, -4, 2, 0, 0, 0 }  /* rad/s^2        */
+#define SCHULER_DIM_SPEED         { 2, -2, 0, 0, 0, 0 }  /* m/s            */
+#define SCHULER_DIM_ACCEL         { 2, -4, 0, 0, 0, 0 }  /* m/s^2          */
+#define SCHULER_DIM_JERK          { 2, -6, 0, 0, 0, 0 }  /* m/s^3          */
+#define SCHULER_DIM_ARW           { 0, -1, 2, 0, 0, 0 }  /* rad/sqrt(s)    */
+#define SCHULER_DIM_VRW           { 2, -3, 0, 0, 0, 0 }  /* m/s/sqrt(s)    */
+#define SCHULER_DIM_RRW           { 0, -3, 2, 0, 0, 0 }  /* rad/s/sqrt(s)  */
+#define SCHULER_DIM_ACCEL_RW      { 2, -5, 0, 0, 0, 0 }  /* m/s^2/sqrt(s)  */
+#define SCHULER_DIM_TEMPERATURE   { 0, 0, 0, 2, 0, 0 }
 /* clang-format on */
 
 SCHULER_API bool schuler_dim_equal(schuler_dim a, schuler_dim b);

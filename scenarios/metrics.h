@@ -15,10 +15,11 @@ SCHULER_API double schuler_percentile(const double *values, int n, double p, dou
 /** Distribution-free interval of percentile p from order statistics. Each end takes half of the
  * doubt 1 - confidence (for the median this is the narrowest interval symmetric in rank). Where
  * that half is too little for the end p leans to, but the whole is enough (the 95th percentile
- * of 59..71 runs), that end is the extreme value and the other end takes what is left. Given n
- * 1..2^30;  p, confidence  in (0, 1) Returned   lower, upper    1-based ranks; 0 and n+1 where n is
- * too small for a bound coverage        sum_{k=lower}^{upper-1} C(n,k) p^k (1-p)^(n-k), at least
- * `confidence` Cost       of order n; no overflow */
+ * of 59..71 runs), that end is the extreme value and the other end takes what is left.
+ *  Given      n              1..2^30;  p, confidence  in (0, 1)
+ *  Returned   lower, upper   1-based ranks; 0 and n+1 where n is too small for a bound
+ *             coverage       sum_{k=lower}^{upper-1} C(n,k) p^k (1-p)^(n-k), at least `confidence`
+ *  Cost       of order n; no overflow */
 SCHULER_API void schuler_order_interval(int n, double p, double confidence, int *lower, int *upper,
                                         double *coverage);
 
@@ -38,9 +39,10 @@ enum { SCHULER_VERDICT_RUNS_MIN = 10 };
 /** Judge a requirement on the slopes of the joint runs.
  *  PASS: upper bound <= limit; FAIL: lower bound > limit; else INCONCLUSIVE. CEP and R95 by order
  *  statistics, rms by a bootstrap over runs (2000 resamples, fixed seed). When nothing was drawn
- * (all runs the same) the bounds are the value itself. Fewer than SCHULER_VERDICT_RUNS_MIN runs of
- * drawn sources: INCONCLUSIVE. No requirement given: NONE, values 0. Given      all     the joint
- * row, summarised Errors     SCHULER_ERR_MEMORY, out untouched */
+ *  (all runs the same) the bounds are the value itself. Fewer than SCHULER_VERDICT_RUNS_MIN runs of
+ *  drawn sources: INCONCLUSIVE. No requirement given: NONE, values 0.
+ *  Given      all     the joint row, summarised
+ *  Errors     SCHULER_ERR_MEMORY, out untouched */
 SCHULER_API SCHULER_NODISCARD schuler_status schuler_judge(const schuler_requirement *requirement,
                                                            const schuler_budget_row *all,
                                                            schuler_judgement *out);

@@ -37,7 +37,8 @@ typedef struct {
 } simulation_plan;
 
 /** Cut the work. rows_wanted: error rows will be kept for each lane of a batch, so batches must
- * stay small. Errors  SCHULER_ERR_MEMORY */
+ *  stay small.
+ *  Errors  SCHULER_ERR_MEMORY */
 schuler_status schuler_plan_make(simulation_plan *plan, int threads, bool rows_wanted);
 void schuler_plan_free(simulation_plan *plan);
 

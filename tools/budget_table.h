@@ -11,7 +11,8 @@
 /** Scenario, duration, IMU, runs and seed. */
 void budget_header(FILE *out, const schuler_result *result);
 /** The sources by size, then the joint run and what checks it. Small sources are folded into one
- * line unless all are wanted. Errors   false when out of memory */
+ *  line unless all are wanted.
+ *  Errors   false when out of memory */
 bool budget_table(FILE *out, const schuler_result *result, bool all);
 /** The verdict in words, or the drift when no requirement was stated. */
 void budget_verdict(FILE *out, const schuler_result *result);

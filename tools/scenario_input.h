@@ -8,9 +8,9 @@
 #include <stdbool.h>
 
 /** Load a scenario and say every mistake in it; warnings unless quiet. From here on Ctrl-C is a
- * flag (tools/stop.h). Given      overrides   may be NULL Returned   out         owned by the
- * caller when EXIT_DONE, else NULL; EXIT_INPUT or EXIT_FAILED
- */
+ *  flag (tools/stop.h).
+ *  Given      overrides   may be NULL
+ *  Returned   out         owned by the caller when EXIT_DONE, else NULL; EXIT_INPUT or EXIT_FAILED */
 exit_code scenario_input(const char *file, const schuler_overrides *overrides, bool quiet,
                          schuler_scenario **out);
 

@@ -48,14 +48,14 @@ void route_locate(const schuler_course *course, double *lat_rad, double *lon_rad
 double route_wrap(double angle_rad);
 
 /** Solve the turn at points[i]: the angle, and the distance before the waypoint where it begins, so
- * that it ends on the next leg and aimed at its far end. Errors   SCHULER_ERR_INPUT too sharp;
- * SCHULER_ERR_NUMERIC; both are in d */
+ *  that it ends on the next leg and aimed at its far end.
+ *  Errors   SCHULER_ERR_INPUT too sharp; SCHULER_ERR_NUMERIC; both are in d */
 SCHULER_NODISCARD schuler_status route_solve_turn(const route_plan *plan, size_t i, route_turn *out,
                                                   schuler_diagnostics *d);
 
 /** Correct the angle of a solved turn for where the builder really is, so that what legs have
- * missed by is not carried on: 1e-10 rad are half a millimetre after 5000 km. Errors   as
- * schuler_course_follow */
+ *  missed by is not carried on: 1e-10 rad are half a millimetre after 5000 km.
+ *  Errors   as schuler_course_follow */
 SCHULER_NODISCARD schuler_status route_aim_turn(const schuler_path_builder *b,
                                                 const route_plan *plan, size_t i,
                                                 schuler_phase *phase);

@@ -14,7 +14,7 @@ static const schuler_dim none = SCHULER_DIM_NONE, length = SCHULER_DIM_LENGTH,
                          speed = SCHULER_DIM_SPEED, accel = SCHULER_DIM_ACCEL,
                          arw = SCHULER_DIM_ARW, vrw = SCHULER_DIM_VRW, rrw = SCHULER_DIM_RRW,
                          accel_rw = SCHULER_DIM_ACCEL_RW, jerk = SCHULER_DIM_JERK,
-                         temperature = { 0, 0, 0, 2 };
+                         temperature = SCHULER_DIM_TEMPERATURE;
 
 /* Definitions: SI brochure; 1 ft = 0.3048 m, 1 nmi = 1852 m, 1 mi = 5280 ft, g = 9.80665 m/s^2, 1
  * Gal = 1 cm/s^2. */
@@ -121,7 +121,7 @@ static void every_unit_has_its_defined_value(void **state)
     };
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         double si = 0.0;
-        schuler_dim dim = { 0, 0, 0, 0 };
+        schuler_dim dim = { 0 };
         schuler_error err = { 0 };
         if (schuler_unit_parse(table[i].unit, &si, &dim, &err) != SCHULER_OK)
             fail_msg("%s: %s", table[i].unit, err.message);
@@ -217,7 +217,8 @@ static void mistakes_say_what_and_where(void **state)
         { "0", angle, "unit missing; write for example '0 deg'", 1, 1 },
         { "100 deg", speed, "'deg' is a unit of angle, but speed is expected (such as '100 m/s')",
           5, 3 },
-        { "5 kg", accel, "unknown unit 'kg'", 3, 2 },
+        { "5 kg", accel,
+          "'kg' is of another dimension, but acceleration is expected (such as '5 ug')", 3, 2 },
         { "5 hz", frequency, "unknown unit 'hz'; did you mean 'Hz'?", 3, 2 },
         { "5 degg/h", rate, "unknown unit 'degg'; did you mean 'deg'?", 3, 4 },
         { "5 furlong", length, "unknown unit 'furlong'", 3, 7 },
@@ -297,7 +298,7 @@ static void dimensions_have_names_and_examples(void **state)
     assert_string_equal(schuler_dim_name(rate, &example), "angular rate");
     assert_string_equal(example, "deg/h");
     assert_string_equal(schuler_dim_name(speed, NULL), "speed");
-    assert_string_equal(schuler_dim_name((schuler_dim){ 7, 0, 0, 0 }, &example),
+    assert_string_equal(schuler_dim_name((schuler_dim){ .length2 = 7 }, &example),
                         "another quantity");
     assert_string_equal(example, "");
 }
