@@ -6,18 +6,23 @@ include(CMakePackageConfigHelpers)
 # The public headers; everything a public header includes is one too (tests/guard/headers sees to it).
 set(SCHULER_PUBLIC_HEADERS
   core/api.h core/document.h core/earth.h core/embedded.h core/error.h core/geographic.h core/gravity.h core/isa.h
-  core/path.h core/random.h core/schema.h core/trajectory.h core/truth.h core/units.h core/vec.h
+  core/lanes.h core/normal.h core/path.h core/random.h core/schema.h core/trajectory.h core/truth.h core/truth_nodes.h
+  core/units.h core/vec.h
   mechanization/mechanization.h
   scenarios/bench.h scenarios/csv.h scenarios/digits.h scenarios/gallery.h
   scenarios/metrics.h scenarios/navigate.h scenarios/scenario.h scenarios/simulation.h
   scenarios/source_count.h scenarios/trajectory_file.h
-  sensors/catalog.h sensors/model.h)
+  sensors/catalog.h sensors/chain.h sensors/drift.h sensors/model.h sensors/response.h sensors/mounting.h sensors/params.h
+  sensors/plugin.h sensors/plugins.h sensors/quantizer.h sensors/setup.h sensors/stand.h sensors/temperature.h
+  sensors/terms.h sensors/white.h)
 
 install(TARGETS schuler EXPORT schuler-targets)
 foreach(header IN LISTS SCHULER_PUBLIC_HEADERS)
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/schuler/${folder})
 endforeach()
+install(FILES ${PROJECT_BINARY_DIR}/generated/core/version.h
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/schuler/core)
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(SCHULER_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/schuler)

@@ -293,7 +293,7 @@ schuler_status schuler_schema_read(const schuler_node *node, const char *what,
                                    const schuler_object *object, void *spec, schuler_arena *arena,
                                    schuler_diagnostics *d)
 {
-    schuler_reading r = { arena, d, false };
+    schuler_reading r = { .arena = arena, .d = d };
     const size_t before = d->errors;
     read_object(&r, node, what, object, spec);
     return status_of(&r, before);
@@ -303,7 +303,7 @@ schuler_status schuler_schema_read_value(const schuler_node *node, const char *w
                                          const schuler_field *field, schuler_value *out,
                                          schuler_arena *arena, schuler_diagnostics *d)
 {
-    schuler_reading r = { arena, d, false };
+    schuler_reading r = { .arena = arena, .d = d };
     const size_t before = d->errors;
     (void)schuler_read_value(&r, node, what, field, out);
     return status_of(&r, before);

@@ -17,9 +17,9 @@ typedef enum {
     SCHULER_FIELD_INTEGER,  /* int64_t                                                           */
     SCHULER_FIELD_TEXT,     /* const char *, borrowed from the document                          */
     SCHULER_FIELD_CHOICE,   /* const char *, one of choices (points into choices)                */
-    SCHULER_FIELD_VALUE,    /* schuler_value of 1, 2, 3 or 6 components: fixed or drawn          */
-    SCHULER_FIELD_OBJECT,   /* the object's struct in place                                      */
-    SCHULER_FIELD_LIST,     /* schuler_list of object structs                                    */
+    SCHULER_FIELD_VALUE,  /* schuler_value of 1, 2, 3, 6 or 9 components: fixed or drawn          */
+    SCHULER_FIELD_OBJECT, /* the object's struct in place                                      */
+    SCHULER_FIELD_LIST,   /* schuler_list of object structs                                    */
     SCHULER_FIELD_VARIANTS, /* schuler_variant_list: items are single-key maps {name: {...}}     */
     SCHULER_FIELD_TEXTS,    /* schuler_text_list; one scalar counts as a list of one             */
     SCHULER_FIELD_NODE,     /* const schuler_node *, not read further here                       */
@@ -74,11 +74,11 @@ typedef struct {
 } schuler_text_list;
 
 /* A physical value: V, [V, V, V], {normal: V}, {uniform: V} or {uniform: [V, V]}; in catalog files
- * also {value: V}, and with any map form `source: NAME`, `note: TEXT`, `assumed: true`. V may be a
- * list in the map forms too (per component). */
+ * also {value: V}, and with any map form `source: NAME`, `note: TEXT`, `qualifier: TEXT`,
+ * `assumed: true`, and `per: unit` (or run). V may be a list in the map forms too (per component). */
 typedef enum { SCHULER_DRAW_FIXED, SCHULER_DRAW_NORMAL, SCHULER_DRAW_UNIFORM } schuler_draw;
 
-enum { SCHULER_VALUE_MAX = 6 };
+enum { SCHULER_VALUE_MAX = 9 };
 
 typedef struct {
     bool given;
@@ -90,7 +90,9 @@ typedef struct {
                            reader's arena */
     const char *source; /* catalog: key into the file's sources, or NULL                        */
     const char *note;   /* or NULL                                                              */
-    bool assumed;       /* not a published figure of this part                                  */
+    const char *qualifier; /* what the sheet says it is: "typical", "maximum", "1 sigma"; or NULL */
+    bool per_unit; /* drawn once per unit (specimen), not per run                          */
+    bool assumed;  /* not a published figure of this part                                  */
 } schuler_value;
 
 /** true when every component is exactly zero (a source that does nothing). */
@@ -108,8 +110,8 @@ SCHULER_API void schuler_arena_free(schuler_arena *arena);
  *  Given      node     a map;  what  its path for messages ("imu.gyro");  object  its table
  *  Returned   spec     object->size bytes, all members set (defaults where absent)
  *             d        every mistake: unknown key with the nearest one, missing key with its
- * example, wrong kind, unit missing, wrong dimension, out of range Errors     SCHULER_ERR_INPUT
- * when d gained errors; SCHULER_ERR_MEMORY */
+ *                      example, wrong kind, unit missing, wrong dimension, out of range
+ *  Errors     SCHULER_ERR_INPUT when d gained errors; SCHULER_ERR_MEMORY */
 SCHULER_API SCHULER_NODISCARD schuler_status schuler_schema_read(const schuler_node *node,
                                                                  const char *what,
                                                                  const schuler_object *object,

@@ -10,6 +10,7 @@ typedef struct {
     schuler_arena *arena;
     schuler_diagnostics *d;
     bool memory_failed;
+    const struct schuler_plugins *plugins; /* for the reader of sensors: only passed on here */
 } schuler_reading;
 
 void *schuler_reading_alloc(schuler_reading *r, size_t size);

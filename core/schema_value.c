@@ -161,8 +161,20 @@ static bool read_assumed(schuler_reading *r, const schuler_node *node, const cha
     return yes || no;
 }
 
+/* What a drawn value belongs to. */
+static bool read_per(schuler_reading *r, const schuler_node *node, const char *what, bool *unit)
+{
+    const bool is_unit = is_scalar(node) && strcmp(node->text, "unit") == 0;
+    const bool is_run = is_scalar(node) && strcmp(node->text, "run") == 0;
+    if (!is_unit && !is_run) schuler_expected(r, node, what, "unit or run");
+    *unit = is_unit;
+    return is_unit || is_run;
+}
+
 enum { FORMS = 3 };
-static const char *const map_keys[] = { "value", "normal", "uniform", "source", "note", "assumed" };
+static const char *const map_keys[] = { "value", "normal",  "uniform",   "source",
+                                        "note",  "assumed", "qualifier", "per" };
+enum { MAP_KEYS = sizeof map_keys / sizeof map_keys[0] };
 
 /* The one of value, normal and uniform that is there; its index in form. */
 static const schuler_node *find_form(schuler_reading *r, const schuler_node *node, const char *what,
@@ -197,17 +209,21 @@ static bool read_map(schuler_reading *r, const schuler_node *node, const char *w
         const schuler_node *key = node->pairs[i].key, *value = node->pairs[i].value;
         const char *const path = schuler_reading_path(r, what, key->text);
         int k = 0;
-        while (k < 6 && strcmp(map_keys[k], key->text) != 0) k++;
+        while (k < MAP_KEYS && strcmp(map_keys[k], key->text) != 0) k++;
         if (k == 3)
             ok = (out->source = schuler_read_scalar(r, value, path, "the name of a source")) && ok;
         else if (k == 4)
             ok = (out->note = schuler_read_scalar(r, value, path, "a text")) && ok;
         else if (k == 5)
             ok = read_assumed(r, value, path, &out->assumed) && ok;
-        if (k < 6) continue;
+        else if (k == 6)
+            ok = (out->qualifier = schuler_read_scalar(r, value, path, "a text")) && ok;
+        else if (k == 7)
+            ok = read_per(r, value, path, &out->per_unit) && ok;
+        if (k < MAP_KEYS) continue;
         char lead[240];
         snprintf(lead, sizeof lead, "unknown key '%.60s' in '%.100s'", key->text, what);
-        schuler_diagnose_unknown(r, &key->place, lead, key->text, map_keys, 6);
+        schuler_diagnose_unknown(r, &key->place, lead, key->text, map_keys, MAP_KEYS);
         known = false;
     }
     int form = 0;

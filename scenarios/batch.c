@@ -39,14 +39,15 @@ static size_t padded(size_t size)
 
 static int allocate(lane_batch_state *b)
 {
-    const size_t sizes[3] = { padded(b->model[SCHULER_ACCEL]->state_size),
-                              padded(b->model[SCHULER_GYRO]->state_size),
+    const size_t sizes[3] = { schuler_chain_state_size(b->chain[SCHULER_ACCEL]),
+                              schuler_chain_state_size(b->chain[SCHULER_GYRO]),
                               padded(b->frame->state_size) };
     const size_t each = sizes[0] + sizes[1] + sizes[2];
     const size_t samples = (size_t)3 * SCHULER_BLOCK * LANES_MAX * sizeof(double);
     b->groups = calloc((size_t)b->group_count, sizeof(*b->groups));
     b->memory = aligned_alloc(STATE_ALIGN, each * (size_t)b->group_count + 2 * samples);
-    if (!b->groups || !b->memory) return 0;
+    if (b->needs_nodes) b->nodes = calloc(1, sizeof *b->nodes);
+    if (!b->groups || !b->memory || (b->needs_nodes && !b->nodes)) return 0;
     for (int g = 0; g < b->group_count; g++) {
         char *at = b->memory + 2 * samples + each * (size_t)g;
         b->groups[g].triad[SCHULER_ACCEL] = at;
@@ -65,18 +66,23 @@ static const batch_lane *lane_at(const lane_batch_state *b, int g, int place)
     return &b->lanes[i < b->count ? i : b->count - 1];
 }
 
+/* Parameters that are no sources, the same in every lane. */
+static void fill_settings(const schuler_triad *triad, schuler_lane_spec *spec)
+{
+    for (int k = 0; triad->params[k].key; k++) {
+        if (triad->params[k].number != 0) continue;
+        const schuler_value *v = &triad->values[k];
+        for (int c = 0; c < triad->params[k].components; c++)
+            spec->value[k][c] = v->given ? v->a[c] : triad->params[k].def;
+    }
+}
+
 static void fill_spec(const lane_batch_state *b, const batch_lane *l, schuler_instrument instrument,
                       schuler_lane_spec *spec)
 {
     const simulation_plan *p = b->plan;
-    const schuler_param *params = b->model[instrument]->params[instrument];
     *spec = (schuler_lane_spec){ .run = (uint64_t)l->run };
-    for (int k = 0; params[k].key; k++) {
-        if (params[k].number != 0) continue;
-        const schuler_value *v = &p->scenario->imu.triad[instrument].values[k];
-        for (int c = 0; c < params[k].components; c++)
-            spec->value[k][c] = v->given ? v->a[c] : params[k].def;
-    }
+    fill_settings(&p->scenario->imu.triad[instrument], spec);
     for (int i = 0; i < p->count; i++) {
         const error_source *s = &p->sources[i];
         if (s->kind != SOURCE_SENSOR || s->instrument != instrument || !plan_enabled(p, l->row, i))
@@ -152,8 +158,7 @@ static void set_up_group(const lane_batch_state *b, int g, const schuler_truth_s
         schuler_lane_spec specs[LANES_MAX];
         for (int k = 0; k < b->width; k++)
             fill_spec(b, lane_at(b, g, k), (schuler_instrument)i, &specs[k]);
-        const schuler_model_setup setup = { (schuler_instrument)i, s->seed, dt_s, b->width, specs };
-        b->model[i]->setup(b->groups[g].triad[i], &setup);
+        schuler_chain_start(b->chain[i], b->groups[g].triad[i], specs);
     }
     schuler_nav_setup nav = {
         .dt_s = dt_s,
@@ -172,15 +177,44 @@ static void set_up_group(const lane_batch_state *b, int g, const schuler_truth_s
     b->frame->init(b->groups[g].nav, &nav);
 }
 
+static schuler_status make_chain(lane_batch_state *b, schuler_instrument instrument,
+                                 schuler_error *err)
+{
+    const schuler_scenario *s = b->plan->scenario;
+    const schuler_triad *triad = &s->imu.triad[instrument];
+    schuler_lane_spec settings = { 0 };
+    bool given[SCHULER_PARAMS_MAX] = { false };
+    fill_settings(triad, &settings);
+    for (int k = 0; triad->params[k].key; k++) given[k] = triad->values[k].given;
+    const bool is_plugin = triad->model_index < 0;
+    const schuler_chain_setup setup = {
+        .model = is_plugin ? triad->model : schuler_sensor_models(b->plan->isa)[triad->model_index],
+        .is_plugin = is_plugin,
+        .instrument = instrument,
+        .isa = b->plan->isa,
+        .dt_s = schuler_truth_dt(b->plan->truth),
+        .seed = s->seed,
+        .settings = &settings,
+        .given = given,
+        .temperature = s->imu.has_temperature ? &s->imu.temperature : NULL,
+    };
+    const schuler_status status = schuler_chain_create(&b->chain[instrument], &setup, err);
+    if (status == SCHULER_OK) b->needs_nodes |= schuler_chain_needs_nodes(b->chain[instrument]);
+    return status;
+}
+
 schuler_status schuler_batch_state_make(lane_batch_state *b, const simulation_plan *plan,
-                                        size_t index)
+                                        size_t index, schuler_error *err)
 {
     const schuler_scenario *s = plan->scenario;
     *b = (lane_batch_state){ .plan = plan, .width = schuler_isa_lanes(plan->isa) };
-    for (int i = 0; i < SCHULER_INSTRUMENTS; i++)
-        b->model[i] = schuler_sensor_models(plan->isa)[s->imu.triad[i].model_index];
+    for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
+        const schuler_status status = make_chain(b, (schuler_instrument)i, err);
+        if (status != SCHULER_OK) return status;
+    }
     b->frame = schuler_mechanizations(plan->isa)[s->frame];
-    if (!list_lanes(b, &plan->batches[index]) || !allocate(b)) return SCHULER_ERR_MEMORY;
+    if (!list_lanes(b, &plan->batches[index]) || !allocate(b))
+        return schuler_fail(err, SCHULER_ERR_MEMORY, NULL, "out of memory");
 
     schuler_truth_state start;
     schuler_truth_block before;
@@ -192,6 +226,8 @@ schuler_status schuler_batch_state_make(lane_batch_state *b, const simulation_pl
 
 void schuler_batch_state_free(lane_batch_state *b)
 {
+    for (int i = 0; i < SCHULER_INSTRUMENTS; i++) schuler_chain_free(b->chain[i]);
+    free(b->nodes);
     free(b->lanes);
     free(b->groups);
     free(b->memory);

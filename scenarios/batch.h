@@ -6,6 +6,7 @@
 #include "core/truth.h"
 #include "mechanization/mechanization.h"
 #include "scenarios/plan.h"
+#include "sensors/chain.h"
 
 typedef struct {
     int chunk, row, run; /* chunk: within the batch            */
@@ -21,7 +22,8 @@ typedef struct {
 
 typedef struct {
     const simulation_plan *plan;
-    const schuler_sensor_model *model[SCHULER_INSTRUMENTS];
+    schuler_chain *chain[SCHULER_INSTRUMENTS];
+    bool needs_nodes; /* some chain looks at instants */
     const schuler_mechanization *frame;
     int width;         /* lanes in a vector */
     batch_lane *lanes; /* by kind, then in the order of results: group g holds width from g*width */
@@ -30,12 +32,13 @@ typedef struct {
     int group_count;
     char *memory;                          /* of all states */
     double *measured[SCHULER_INSTRUMENTS]; /* [axis][step][lane], reused by every group */
+    schuler_truth_nodes *nodes;            /* NULL unless they are needed */
 } lane_batch_state;
 
 /** Set up batch `index` at the true start: values drawn, initial errors applied, navigators primed.
  *  Errors  SCHULER_ERR_MEMORY; free with schuler_batch_state_free in any case */
 schuler_status schuler_batch_state_make(lane_batch_state *b, const simulation_plan *plan,
-                                        size_t index);
+                                        size_t index, schuler_error *err);
 void schuler_batch_state_free(lane_batch_state *b);
 
 #endif

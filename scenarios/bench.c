@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "scenarios/bench.h"
 #include "scenarios/worker.h"
+#include "sensors/chain.h"
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,23 +33,47 @@ static schuler_spread spread_of(const double *values, int n)
 
 static int param_index(const schuler_scenario *s, schuler_instrument i, const char *key)
 {
-    const schuler_param *params = s->imu.triad[i].model->params[i];
+    const schuler_param *params = s->imu.triad[i].params;
     for (int k = 0; params[k].key; k++)
         if (strcmp(params[k].key, key) == 0) return k;
     return -1;
 }
 
-static void set(schuler_scenario *s, schuler_instrument i, const char *key, double value)
+enum { BENCH_QUIET, BENCH_WHITE, BENCH_DRIFTING, BENCH_HEAVIEST };
+
+static void give(schuler_value *v, double value)
 {
-    schuler_value *v = &s->imu.triad[i].values[param_index(s, i, key)];
     *v = (schuler_value){ .given = true, .draw = SCHULER_DRAW_FIXED, .text = "" };
     for (int c = 0; c < SCHULER_VALUE_MAX; c++) v->a[c] = value;
 }
 
-/* The scenario's mission with navigation-grade sensors of the linear model and so many normals a
- * step. */
-static schuler_scenario sensors_for(const schuler_scenario *base, int normals)
+static void set(schuler_scenario *s, schuler_instrument i, const char *key, double value)
 {
+    give(&s->imu.triad[i].values[param_index(s, i, key)], value);
+}
+
+/* A thousand-millionth of what it may be: only the time matters. */
+static void set_all_terms(schuler_triad *triad, schuler_instrument i)
+{
+    const schuler_param *const own = triad->model->params[i];
+    for (int k = 0; own[k].key; k++)
+        if (own[k].number != 0) give(&triad->values[k], 1e-9 * own[k].max);
+}
+
+static void set_processes(schuler_scenario *s, schuler_instrument i, double bias)
+{
+    set(s, i, "bias_instability", bias);
+    set(s, i, "bias_random_walk", 1e-3 * bias);
+    set(s, i, "quantization", i == SCHULER_ACCEL ? 1e-5 : 5e-8);
+    set(s, i, "bandwidth", 0.2 * s->imu.rate_hz);
+}
+
+/* The scenario's mission with navigation-grade sensors of a kind. params: room for the tables. */
+static schuler_scenario sensors_for(const schuler_scenario *base, int kind,
+                                    schuler_param params[][SCHULER_PARAMS_MAX + 1])
+{
+    static const char *const heaviest[SCHULER_INSTRUMENTS] = { "ieee1293", "spinning_mass" };
+    static const double bias[SCHULER_INSTRUMENTS] = { 2.5e-4, 1.7e-8 };
     schuler_scenario s = *base;
     s.samples_per_update = 1;
     s.only = s.without = (schuler_text_list){ 0 };
@@ -56,20 +81,31 @@ static schuler_scenario sensors_for(const schuler_scenario *base, int normals)
     s.truth_gravity = s.nav_gravity = "wgs84";
     s.runs = SCHULER_BENCH_LANES;
     s.report_s = 1.0;
+    s.imu.has_temperature = false;
     for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
         const schuler_instrument instrument = (schuler_instrument)i;
+        const char *const walk = i == SCHULER_ACCEL ? "velocity_random_walk" : "angle_random_walk";
         schuler_triad *triad = &s.imu.triad[i];
-        triad->model_index = schuler_sensor_model_find("linear");
+        triad->model_index =
+            schuler_sensor_model_find(kind == BENCH_HEAVIEST ? heaviest[i] : "linear");
         triad->model = schuler_sensor_models(SCHULER_ISA_SCALAR)[triad->model_index];
+        (void)schuler_chain_params(triad->model, instrument, params[i]);
+        triad->params = params[i];
         memset(triad->values, 0, sizeof(triad->values));
-        set(&s, instrument, "bias", i == SCHULER_ACCEL ? 2.5e-4 : 1.7e-8);
-        set(&s, instrument, "scale_factor", i == SCHULER_ACCEL ? 1e-4 : 5e-6);
-        set(&s, instrument, "misalignment", 3e-5);
-        if (normals >= 6)
-            set(&s, instrument, i == SCHULER_ACCEL ? "velocity_random_walk" : "angle_random_walk",
-                i == SCHULER_ACCEL ? 1.5e-5 : 5.8e-7);
+        for (int k = 0; params[i][k].key; k++)
+            for (int c = 0; params[i][k].number == 0 && c < params[i][k].components; c++)
+                triad->values[k].a[c] = params[i][k].def;
+        if (kind == BENCH_HEAVIEST) {
+            set_all_terms(triad, instrument);
+            set_processes(&s, instrument, bias[i]);
+        } else {
+            set(&s, instrument, "bias", bias[i]);
+            set(&s, instrument, "scale_factor", i == SCHULER_ACCEL ? 1e-4 : 5e-6);
+            set(&s, instrument, "misalignment", 3e-5);
+        }
+        if (kind != BENCH_QUIET) set(&s, instrument, walk, i == SCHULER_ACCEL ? 1.5e-5 : 5.8e-7);
         /* So short a correlation time that the drives are needed at every step. */
-        if (normals >= 18) {
+        if (kind == BENCH_DRIFTING) {
             set(&s, instrument, "gauss_markov", i == SCHULER_ACCEL ? 1e-4 : 1e-8);
             set(&s, instrument, "gauss_markov_time", 1.0 / s.imu.rate_hz);
         }
@@ -162,8 +198,8 @@ schuler_status schuler_bench_run(const schuler_scenario *scenario, int rounds,
                                  const volatile int *stop, schuler_bench *out, schuler_error *err)
 {
     schuler_scenario sensors[SCHULER_BENCH_KINDS];
-    for (int k = 0; k < SCHULER_BENCH_KINDS; k++)
-        sensors[k] = sensors_for(scenario, schuler_bench_normals[k]);
+    schuler_param params[SCHULER_BENCH_KINDS][SCHULER_INSTRUMENTS][SCHULER_PARAMS_MAX + 1];
+    for (int k = 0; k < SCHULER_BENCH_KINDS; k++) sensors[k] = sensors_for(scenario, k, params[k]);
     schuler_truth *truth;
     schuler_status status = schuler_truth_create(
         &truth, &scenario->path, 1.0 / scenario->imu.rate_hz, "wgs84", "wgs84", err);

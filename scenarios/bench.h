@@ -9,10 +9,13 @@
 
 SCHULER_BEGIN_C
 
-/* Random numbers a step: none; white noise of both triads; the same and two Gauss-Markov drives an
- * axis. */
-enum { SCHULER_BENCH_KINDS = 3, SCHULER_BENCH_LANES = 256, SCHULER_BENCH_SECONDS = 40 };
-static const int schuler_bench_normals[SCHULER_BENCH_KINDS] = { 0, 6, 18 };
+/* Sensors: `linear` without noise; with white noise of both triads (6 random numbers a step); with
+ * two Gauss-Markov drives an axis as well (18); and the heaviest there is: `ieee1293` and
+ * `spinning_mass` with all their terms, flicker, random walk of the bias, quantization and a
+ * second-order bandwidth. */
+enum { SCHULER_BENCH_KINDS = 4, SCHULER_BENCH_LANES = 256, SCHULER_BENCH_SECONDS = 40 };
+static const char *const schuler_bench_names[SCHULER_BENCH_KINDS] = { "0 normals", "6 normals",
+                                                                      "18 normals", "heaviest" };
 
 typedef struct {
     double min, median, max;
@@ -21,8 +24,8 @@ typedef struct {
 typedef struct {
     int rounds;
     int has[SCHULER_ISA_COUNT];
-    /* Processor time of one thread. Chain: truth, sensors, mechanization, gravity, comparison at 1
-     * Hz. */
+    /* Processor time of one thread. Chain: truth, sensors, mechanization, gravity, comparison at
+     * 1 Hz. */
     schuler_spread chain_ns[SCHULER_ISA_COUNT][SCHULER_BENCH_KINDS];    /* a lane-step         */
     schuler_spread over_scalar[SCHULER_ISA_COUNT][SCHULER_BENCH_KINDS]; /* ratio within a round */
     schuler_spread truth_ns[SCHULER_ISA_COUNT];                         /* a step              */
@@ -30,8 +33,10 @@ typedef struct {
 } schuler_bench;
 
 /** Measure on the trajectory of a scenario (its first SCHULER_BENCH_SECONDS for the chain, all of
- * it for the truth), at its sample rate. Given    rounds    interleaved repetitions, 1..99;  stop
- * as in schuler_run_options, or NULL Errors   as schuler_simulate */
+ *  it for the truth), at its sample rate.
+ *  Given    rounds    interleaved repetitions, 1..99
+ *           stop      as in schuler_run_options, or NULL
+ *  Errors   as schuler_simulate */
 SCHULER_API SCHULER_NODISCARD schuler_status schuler_bench_run(const schuler_scenario *scenario,
                                                                int rounds, const volatile int *stop,
                                                                schuler_bench *out,

@@ -9,7 +9,9 @@
 typedef struct {
     schuler_place place;
     const schuler_node *use, *triad[SCHULER_INSTRUMENTS];
+    const schuler_node *temperature;
     double rate_hz; /* NAN = not given */
+    int64_t unit;   /* -1 = not given  */
 } imu_section;
 
 static const schuler_field fields[] = {
@@ -27,6 +29,20 @@ static const schuler_field fields[] = {
       .max = 1e4,
       .example = "100 Hz",
       .doc = "samples of increments a second" },
+    { .key = "unit",
+      .kind = SCHULER_FIELD_INTEGER,
+      .offset = offsetof(imu_section, unit),
+      .def = -1,
+      .min = 0,
+      .max = 4294967295.0,
+      .example = "3",
+      .doc = "which specimen flies in every run: values drawn 'per: unit' stay the same; default: "
+             "another one in each run" },
+    { .key = "temperature",
+      .kind = SCHULER_FIELD_NODE,
+      .offset = offsetof(imu_section, temperature),
+      .example = "{reference: 25 degC, warm_up: {from: 20 degC, to: 60 degC, time: 10 min}}",
+      .doc = "temperature of the instruments over the mission; default: always the reference" },
     { .key = "accel",
       .kind = SCHULER_FIELD_NODE,
       .offset = offsetof(imu_section, triad[SCHULER_ACCEL]),
@@ -64,7 +80,7 @@ static void doubt_bias(schuler_reading *r, const char *grade, const schuler_node
                        const char *what, schuler_instrument instrument, const schuler_triad *triad)
 {
     if (!grade || !triad->model || !schuler_node_find(node, "bias")) return;
-    const schuler_param *const params = triad->model->params[instrument];
+    const schuler_param *const params = triad->params;
     int bias = 0;
     while (params[bias].key && strcmp(params[bias].key, "bias") != 0) bias++;
     if (!params[bias].key) return;
@@ -82,59 +98,101 @@ static void doubt_bias(schuler_reading *r, const char *grade, const schuler_node
     }
 }
 
+/* Another part's triad, for `imu.accel.use` and `imu.gyro.use`. */
+static bool use_triad(schuler_reading *r, const schuler_node *use, const char *what,
+                      schuler_instrument instrument, const char *folder, schuler_triad *triad,
+                      schuler_document *documents[], size_t *count)
+{
+    schuler_part part = { 0 };
+    if (!schuler_part_use(r, use, what, folder, &part, documents, count)) return false;
+    if (!part.imu.triad[instrument].model) {
+        schuler_diagnose(r->d, SCHULER_ERR_INPUT, &use->place, "%.60s: the part '%.60s' has no %ss",
+                         what, part.imu.name, schuler_instrument_name(instrument));
+        return false;
+    }
+    *triad = part.imu.triad[instrument];
+    return true;
+}
+
 /* Layers: the part, if any, and then the section's own keys. */
 static void read_triads(schuler_reading *r, const schuler_node *node, const imu_section *section,
-                        const char *grade, schuler_imu *imu)
+                        const char *grade, const char *folder, schuler_imu *imu,
+                        schuler_document *documents[], size_t *count)
 {
     static const char *const paths[SCHULER_INSTRUMENTS] = { "imu.accel", "imu.gyro" };
     for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
         const schuler_instrument instrument = (schuler_instrument)i;
         const char *const key = schuler_instrument_name(instrument);
         const schuler_node *const own = section->triad[i];
-        if (own) {
+        const schuler_node *const use = own ? schuler_node_find(own, "use") : NULL;
+        const bool found = !use || use_triad(r, use, schuler_reading_path(r, paths[i], "use"),
+                                             instrument, folder, &imu->triad[i], documents, count);
+        if (own && found) {
             schuler_triad_read(r, own, paths[i], instrument, &imu->triad[i]);
             doubt_bias(r, grade, own, paths[i], instrument, &imu->triad[i]);
-        } else if (!section->use) {
+        } else if (!own && !imu->triad[i].model && !section->use) {
             schuler_diagnose(
                 r->d, SCHULER_ERR_INPUT, schuler_node_place(node),
                 "'imu' needs the key '%s' (or 'use: NAME', a part of the catalog), for "
                 "example: %s",
-                key, fields[2 + i].example);
+                key,
+                i == SCHULER_ACCEL ? "{model: linear, bias: 50 ug}"
+                                   : "{model: linear, bias: 0.01 deg/h}");
         }
-        schuler_triad_finish(r, paths[i], instrument, &imu->triad[i]);
+        schuler_triad_finish(r, paths[i], &imu->triad[i]);
     }
 }
 
-void schuler_imu_read(schuler_reading *r, const schuler_node *node, const char *folder,
-                      schuler_imu *imu, schuler_document **document)
+bool schuler_part_use(schuler_reading *r, const schuler_node *use, const char *what,
+                      const char *folder, schuler_part *part, schuler_document *documents[],
+                      size_t *count)
 {
-    *document = NULL;
+    const char *name, *text = schuler_read_scalar(r, use, what, "a part's name");
+    bool strict;
+    /* From the command line, a file is meant as seen from where the command is given. */
+    const char *const from = use->place.line > 0 ? folder : NULL;
+    const size_t errors = r->d->errors;
+    schuler_document *document = NULL;
+    if (!text) return false;
+    const schuler_status rc =
+        schuler_part_open(r, text, from, &use->place, &document, &name, &strict);
+    if (document) documents[(*count)++] = document;
+    if (rc != SCHULER_OK) return false;
+    schuler_part_read(r, document, name, strict, part);
+    return r->d->errors == errors;
+}
+
+void schuler_imu_read(schuler_reading *r, const schuler_node *node, const char *folder,
+                      schuler_imu *imu, schuler_document *documents[], size_t *count)
+{
     imu_section section;
     if (schuler_schema_read(node, "imu", &imu_object, &section, r->arena, r->d) ==
             SCHULER_ERR_MEMORY ||
         node->kind != SCHULER_NODE_MAP)
         return;
     schuler_part part = { .imu = { .name = "custom", .title = "custom", .rate_hz = 100.0 } };
-    bool part_is_read = !section.use;
-    if (section.use) {
-        const char *name, *text = schuler_read_scalar(r, section.use, "imu.use", "a part's name");
-        bool strict;
-        /* From the command line, a file is meant as seen from where the command is given. */
-        const char *const from = section.use->place.line > 0 ? folder : NULL;
-        if (text && schuler_part_open(r, text, from, &section.use->place, document, &name,
-                                      &strict) == SCHULER_OK) {
-            const size_t errors = r->d->errors;
-            schuler_part_read(r, *document, name, strict, &part);
-            part_is_read = r->d->errors == errors;
-        }
-    }
+    const bool part_is_read = !section.use || schuler_part_use(r, section.use, "imu.use", folder,
+                                                               &part, documents, count);
     *imu = part.imu;
+    imu->unit = section.unit;
+    if (section.temperature)
+        imu->has_temperature = schuler_temperature_read(r, section.temperature, &imu->temperature);
     if (!isnan(section.rate_hz)) imu->rate_hz = section.rate_hz;
     if (!part_is_read) { /* its model is not known, so keys mean something only after one's own */
         for (int i = 0; i < SCHULER_INSTRUMENTS; i++)
-            if (!schuler_node_find(section.triad[i], "model")) section.triad[i] = NULL;
+            if (section.triad[i] && !schuler_node_find(section.triad[i], "model") &&
+                !schuler_node_find(section.triad[i], "use"))
+                section.triad[i] = NULL;
     }
-    read_triads(r, node, &section, part.grade, imu);
+    read_triads(r, node, &section, part.grade, folder, imu, documents, count);
+    for (int i = 0; i < SCHULER_INSTRUMENTS && part_is_read && section.use; i++) {
+        const schuler_instrument instrument = (schuler_instrument)i;
+        if (imu->triad[i].model || section.triad[i]) continue;
+        schuler_diagnose(r->d, SCHULER_ERR_INPUT, schuler_node_place(section.use),
+                         "the part '%.60s' has no %ss; add 'imu.%s' with 'model' or 'use'",
+                         part.imu.name, schuler_instrument_name(instrument),
+                         schuler_instrument_name(instrument));
+    }
     if (section.use && (section.triad[SCHULER_ACCEL] || section.triad[SCHULER_GYRO])) {
         const char *title = schuler_arena_printf(r->arena, "%s (with changes)", imu->title);
         if (title) imu->title = title;

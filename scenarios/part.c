@@ -102,7 +102,7 @@ static void check_provenance(schuler_reading *r, const schuler_part *part, const
 {
     const schuler_triad *const triad = &part->imu.triad[instrument];
     if (!triad->model) return;
-    const schuler_param *const params = triad->model->params[instrument];
+    const schuler_param *const params = triad->params;
     for (int i = 0; params[i].key; i++) {
         const schuler_value *const v = &triad->values[i];
         if (!v->given) continue;
@@ -199,6 +199,12 @@ static schuler_status status_since(const schuler_diagnostics *d, size_t kept, si
 schuler_status schuler_part_load(schuler_part **out, const char *name_or_file,
                                  schuler_diagnostics *d)
 {
+    return schuler_part_load_with(out, name_or_file, NULL, d);
+}
+
+schuler_status schuler_part_load_with(schuler_part **out, const char *name_or_file,
+                                      const schuler_plugins *plugins, schuler_diagnostics *d)
+{
     *out = NULL;
     const size_t kept = d->kept, errors = d->errors;
     schuler_arena *const arena = schuler_arena_create();
@@ -209,7 +215,7 @@ schuler_status schuler_part_load(schuler_part **out, const char *name_or_file,
         return SCHULER_ERR_MEMORY;
     }
     part->arena = arena;
-    schuler_reading r = { arena, d, false };
+    schuler_reading r = { .arena = arena, .d = d, .plugins = plugins };
     const char *name;
     bool strict;
     const schuler_status rc =
@@ -218,7 +224,7 @@ schuler_status schuler_part_load(schuler_part **out, const char *name_or_file,
         schuler_part_read(&r, part->document, name, strict, part);
         for (int i = 0; i < SCHULER_INSTRUMENTS; i++)
             schuler_triad_finish(&r, schuler_instrument_name((schuler_instrument)i),
-                                 (schuler_instrument)i, &part->imu.triad[i]);
+                                 &part->imu.triad[i]);
         schuler_document_excerpts(part->document, d);
     }
     const schuler_status status = status_since(d, kept, errors);

@@ -161,8 +161,7 @@ static void read_scenario(schuler_reading *r, const schuler_overrides *o, schule
         const char *const folder =
             slash ? schuler_arena_printf(r->arena, "%.*s", (int)(slash - s->file + 1), s->file)
                   : NULL;
-        schuler_imu_read(r, file.imu, folder, &s->imu, &s->documents[1]);
-        if (s->documents[1]) s->document_count = 2;
+        schuler_imu_read(r, file.imu, folder, &s->imu, s->documents, &s->document_count);
         schuler_scenario_check_sources(r, s);
     }
     if (file.trajectory) read_trajectory(r, file.trajectory, s);
@@ -181,7 +180,7 @@ static schuler_scenario *create(const char *path, schuler_diagnostics *d)
 {
     schuler_scenario *s = calloc(1, sizeof *s);
     if (s) {
-        s->documents = calloc(2, sizeof(schuler_document *));
+        s->documents = calloc(SCHULER_DOCUMENTS_MAX, sizeof(schuler_document *));
         s->arena = schuler_arena_create();
         if (s->arena) s->file = schuler_arena_printf(s->arena, "%s", path);
     }
@@ -217,8 +216,9 @@ schuler_status schuler_scenario_load(schuler_scenario **out, const char *path,
     size_t length;
     const char *const text = schuler_document_text(s->documents[0], &length);
     SHA256Data((const unsigned char *)text, length, s->sha256);
-    schuler_reading r = { s->arena, d, false };
-    read_scenario(&r, overrides ? overrides : &none, s);
+    const schuler_overrides *const o = overrides ? overrides : &none;
+    schuler_reading r = { .arena = s->arena, .d = d, .plugins = o->plugins };
+    read_scenario(&r, o, s);
     for (size_t i = 0; i < s->document_count; i++) schuler_document_excerpts(s->documents[i], d);
     if (d->errors > errors) {
         schuler_scenario_free(s);

@@ -5,14 +5,16 @@
 
 #include "core/schema.h"
 #include "core/trajectory.h"
-#include "sensors/model.h"
+#include "sensors/plugins.h"
+#include "sensors/temperature.h"
 
 SCHULER_BEGIN_C
 
-/* One triad: its model and the values of that model's parameters, by index in its table. */
+/* One triad: its model, the parameters of its chain (sensors/chain.h) and their values by index. */
 typedef struct {
-    const schuler_sensor_model *model; /* of the baseline instruction set; index below            */
-    int model_index;
+    const schuler_sensor_model *model; /* of the baseline instruction set, or a plug-in's         */
+    int model_index;                   /* in schuler_sensor_models; -1: a plug-in's               */
+    const schuler_param *params;       /* ended by key NULL; NULL when model is                   */
     schuler_value values[SCHULER_PARAMS_MAX];
 } schuler_triad;
 
@@ -20,6 +22,9 @@ typedef struct {
     const char *name;  /* catalog name, file name or "custom"                                    */
     const char *title; /* for people                                                             */
     double rate_hz;
+    int64_t unit;                    /* which specimen flies in every run; -1 = another in each */
+    bool has_temperature;            /* else always at the reference temperature                */
+    schuler_temperature temperature; /* at_s counted from the start of the mission              */
     schuler_triad triad[SCHULER_INSTRUMENTS];
 } schuler_imu;
 
@@ -69,6 +74,7 @@ typedef struct {
     int has_seed, has_runs;
     uint64_t seed;
     int runs;
+    const schuler_plugins *plugins; /* models beside the built-in ones; borrowed by the scenario */
 } schuler_overrides;
 
 /** Read, check and compile a scenario file. Every mistake goes to d; nothing is printed or written.
@@ -97,6 +103,11 @@ typedef struct {
 SCHULER_API SCHULER_NODISCARD schuler_status schuler_part_load(schuler_part **out,
                                                                const char *name_or_file,
                                                                schuler_diagnostics *d);
+/** The same with models of plug-ins, which the part borrows; plugins NULL = none. */
+SCHULER_API SCHULER_NODISCARD schuler_status schuler_part_load_with(schuler_part **out,
+                                                                    const char *name_or_file,
+                                                                    const schuler_plugins *plugins,
+                                                                    schuler_diagnostics *d);
 SCHULER_API void schuler_part_free(schuler_part *part);
 
 SCHULER_END_C

@@ -155,7 +155,7 @@ static void add_sensor_names(schuler_reading *r, const schuler_scenario *s, name
         const char *const group = schuler_instrument_name((schuler_instrument)i);
         add_name(list, group);
         if (!triad->model) continue;
-        const schuler_param *const params = triad->model->params[i];
+        const schuler_param *const params = triad->params;
         for (int k = 0; params[k].key; k++)
             if (params[k].number != 0)
                 add_name(list, schuler_reading_path(r, group, params[k].key));

@@ -34,7 +34,7 @@ static int add_triad(const schuler_scenario *s, schuler_instrument instrument, e
 {
     const schuler_triad *triad = &s->imu.triad[instrument];
     if (!triad->model) return count;
-    const schuler_param *params = triad->model->params[instrument];
+    const schuler_param *params = triad->params;
     for (int p = 0; params && params[p].key; p++) {
         if (params[p].number == 0) continue;
         error_source source = {
@@ -43,9 +43,10 @@ static int add_triad(const schuler_scenario *s, schuler_instrument instrument, e
             .param = p,
             .number = params[p].number,
             .components = params[p].components,
+            .unit = s->imu.unit,
             .value = &triad->values[p],
             .drawn = params[p].noisy != 0,
-            .normals = params[p].noisy ? 3 : 0,
+            .normals = 3 * params[p].noisy,
         };
         snprintf(source.group, sizeof(source.group), "%s", schuler_instrument_name(instrument));
         count = add(s, out, count, source, params[p].key);
@@ -87,8 +88,9 @@ int schuler_sources_list(const schuler_scenario *s, error_source out[SOURCES_MAX
 double schuler_source_draw(const error_source *source, int component, uint64_t seed, uint64_t run)
 {
     const schuler_value *v = source->value;
-    const schuler_stream stream = { seed, run, source->number, (unsigned)component,
-                                    SCHULER_USE_DRAW };
+    const bool fixed = v->per_unit && source->unit >= 0;
+    const schuler_stream stream = { seed, fixed ? (uint64_t)source->unit : run, source->number,
+                                    (unsigned)component, SCHULER_USE_DRAW };
     switch (v->draw) {
     case SCHULER_DRAW_NORMAL:
         return v->a[component] * schuler_stream_normal(stream, 0);

@@ -21,6 +21,7 @@ typedef struct {
     int param;
     unsigned number; /* in the random key; 0 for gravity, which draws nothing */
     int components;
+    int64_t unit;               /* the specimen that flies; -1 = another in each run */
     const schuler_value *value; /* NULL for gravity */
     bool drawn;                 /* differs from run to run */
     int normals;                /* random numbers a step, for balancing work */

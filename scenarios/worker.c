@@ -12,27 +12,6 @@ typedef struct {
     schuler_truth_state truth;
 } block_event;
 
-static void measure(const lane_batch_state *b, const lane_group *group,
-                    const schuler_truth_block *truth)
-{
-    const double *increments[SCHULER_INSTRUMENTS] = {
-        [SCHULER_ACCEL] = &truth->dv_ib_b[0][0],
-        [SCHULER_GYRO] = &truth->dtheta_ib_b[0][0],
-    };
-    for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
-        const schuler_model_block block = {
-            .first = truth->first,
-            .n = truth->n,
-            .stride = SCHULER_BLOCK,
-            .dt_s = truth->dt_s,
-            .own = increments[i],
-            .other = increments[1 - i],
-            .out = b->measured[i],
-        };
-        b->model[i]->apply(group->triad[i], &block);
-    }
-}
-
 /* Samples from .. from+n of the block that was measured last. */
 static void navigate(const lane_batch_state *b, const lane_group *group,
                      const schuler_truth_block *truth, int from, int n)
@@ -134,10 +113,14 @@ static schuler_status fly(const lane_batch_state *b, batch_tick tick, void *user
         const int count = events_in(p, first, n, events);
         schuler_truth_block truth;
         schuler_truth_block_compute(p->truth, p->isa, first, n, &truth);
+        if (b->needs_nodes) schuler_truth_nodes_compute(p->truth, p->isa, first, n, b->nodes);
+        for (int i = 0; i < SCHULER_INSTRUMENTS; i++)
+            schuler_chain_observe(b->chain[i], &truth, b->nodes);
 
         for (int g = 0; g < b->group_count && status == SCHULER_OK; g++) {
             const lane_group *group = &b->groups[g];
-            measure(b, group, &truth);
+            for (int i = 0; i < SCHULER_INSTRUMENTS; i++)
+                schuler_chain_apply(b->chain[i], group->triad[i], b->measured[i]);
             int from = 0;
             for (int i = 0; i < count && status == SCHULER_OK; i++) {
                 const block_event *e = &events[i];
@@ -161,13 +144,13 @@ schuler_status schuler_batch_run(const simulation_plan *plan, size_t index, bool
     const lane_batch *work = &plan->batches[index];
     const size_t lanes = (size_t)work->lanes;
     lane_batch_state b;
-    schuler_status status = schuler_batch_state_make(&b, plan, index);
+    schuler_status status = schuler_batch_state_make(&b, plan, index, err);
     *out = (batch_result){
         .metrics = calloc(lanes, sizeof(lane_metrics)),
         .curve_m2 = calloc(work->chunks * plan->reports, sizeof(double)),
     };
     if (rows_wanted) out->rows = calloc(lanes * (plan->reports + 1), sizeof(*out->rows));
-    if (status != SCHULER_OK || !out->metrics || !out->curve_m2 || (rows_wanted && !out->rows))
+    if (status == SCHULER_OK && (!out->metrics || !out->curve_m2 || (rows_wanted && !out->rows)))
         status = schuler_fail(err, SCHULER_ERR_MEMORY, NULL, "out of memory");
     if (status == SCHULER_OK) status = fly(&b, tick, user, out, err);
     if (status != SCHULER_OK) {

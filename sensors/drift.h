@@ -5,8 +5,9 @@
  *     b' = phi b + l11 w1         I = gain b + l21 w1 + l22 w2
  *
  * Gauss-Markov (sigma, T), x = D/T:  phi = e^-x, gain = T (1 - phi), q11 = sigma^2 (1 - phi^2),
- *   q12 = sigma^2 T (1 - phi)^2, q22 = sigma^2 T^2 (2x - 3 + 4 phi - phi^2), l = Cholesky factor of
- * q; stationary start.  Random walk (K):  phi = 1, gain = D, l11 = K sqrt(D), l21 = K D^1.5 / 2,
+ *   q12 = sigma^2 T (1 - phi)^2, q22 = sigma^2 T^2 (2x - 3 + 4 phi - phi^2), l = Cholesky factor
+ *   of q; stationary start.
+ * Random walk (K):  phi = 1, gain = D, l11 = K sqrt(D), l21 = K D^1.5 / 2,
  *   l22 = K D^1.5 / sqrt(12); starts at zero.
  * Source: R. G. Brown, P. Y. C. Hwang, on exact discretisation; re-derived, and tested against the
  * integrals by Monte Carlo.
@@ -19,6 +20,7 @@
 #include "core/normal.h"
 #include "core/truth.h"
 #include "sensors/setup.h"
+#include <assert.h>
 #include <math.h>
 
 enum {
@@ -74,12 +76,12 @@ LANES_INLINE void gauss_markov_setup(bias_drift *d, const schuler_model_setup *s
 {
     double shortest_s = INFINITY;
     for (int l = 0; l < SCHULER_LANES; l++)
-        for (int i = 0; i < 3; i++) shortest_s = fmin(shortest_s, s->specs[l].value[time_param][i]);
+        for (int i = 0; i < 3; i++) shortest_s = fmin(shortest_s, setup_lane(s, l, time_param, i));
     drift_setup_common(d, s, param, number, drift_pace(s->dt_s, shortest_s));
     const double D = d->pace * s->dt_s;
     for (int i = 0; i < 3; i++) {
         /* The correlation time is a setting, the same in every lane. */
-        const double T = s->specs[0].value[time_param][i], x = D / T;
+        const double T = setup_setting(s, time_param, i), x = D / T;
         const double phi = exp(-x), one_minus_phi = -expm1(-x);
         const double l11 = sqrt(-expm1(-2.0 * x));
         const double l21 = T * one_minus_phi * one_minus_phi / l11;
@@ -139,7 +141,7 @@ LANES_INLINE void drift_add(bias_drift *d, const schuler_model_block *b)
     }
 }
 
-_Static_assert(SCHULER_BLOCK % (2 * DRIFT_PACE_MAX) == 0, "a block is a whole number of calls");
-_Static_assert(2 * SCHULER_BLOCK <= LANES_NORMALS_MAX, "a block's drives fit in one call");
+static_assert(SCHULER_BLOCK % (2 * DRIFT_PACE_MAX) == 0, "a block is a whole number of calls");
+static_assert(2 * SCHULER_BLOCK <= LANES_NORMALS_MAX, "a block's drives fit in one call");
 
 #endif

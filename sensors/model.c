@@ -13,6 +13,16 @@ const schuler_sensor_model *const *schuler_sensor_models(schuler_isa isa)
     return schuler_model_table_scalar;
 }
 
+const schuler_sensor_model *const *schuler_sensor_stages(schuler_isa isa)
+{
+    const char *const wanted = schuler_isa_name(isa);
+#define X(name)                                                                                    \
+    if (strcmp(wanted, #name) == 0) return schuler_stage_table_##name;
+#include "schuler_isas.def"
+#undef X
+    return schuler_stage_table_scalar;
+}
+
 int schuler_sensor_model_find(const char *name)
 {
     const schuler_sensor_model *const *const models = schuler_sensor_models(SCHULER_ISA_SCALAR);

@@ -5,7 +5,9 @@
 #include "sensors/model.h"
 
 /* One table for each instruction set of this build. */
-#define X(isa) extern const schuler_sensor_model *const schuler_model_table_##isa[];
+#define X(isa)                                                                                     \
+    extern const schuler_sensor_model *const schuler_model_table_##isa[];                          \
+    extern const schuler_sensor_model *const schuler_stage_table_##isa[];
 #include "schuler_isas.def"
 #undef X
 

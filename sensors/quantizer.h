@@ -25,7 +25,7 @@ LANES_INLINE void quantizer_setup(quantizer *q, const schuler_model_setup *s, in
         double on[SCHULER_LANES] __attribute__((aligned(64)));
         double rest[SCHULER_LANES] __attribute__((aligned(64)));
         for (int l = 0; l < SCHULER_LANES; l++) {
-            const double lsb = s->specs[l].value[param][i];
+            const double lsb = setup_lane(s, l, param, i);
             const schuler_stream stream = { s->seed, s->specs[l].run, number, (unsigned)i,
                                             SCHULER_USE_START };
             on[l] = lsb != 0.0 ? 1.0 : 0.0;

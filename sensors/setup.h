@@ -6,10 +6,22 @@
 #include "core/lanes.h"
 #include "sensors/model.h"
 
+/* One component in one lane. */
+LANES_INLINE double setup_lane(const schuler_model_setup *s, int lane, int param, int component)
+{
+    return s->specs[lane].value[s->base + param][component];
+}
+
+/* A setting: the same in every lane. */
+LANES_INLINE double setup_setting(const schuler_model_setup *s, int param, int component)
+{
+    return setup_lane(s, 0, param, component);
+}
+
 LANES_INLINE lanes setup_value(const schuler_model_setup *s, int param, int component)
 {
     double x[SCHULER_LANES] __attribute__((aligned(64)));
-    for (int l = 0; l < SCHULER_LANES; l++) x[l] = s->specs[l].value[param][component];
+    for (int l = 0; l < SCHULER_LANES; l++) x[l] = setup_lane(s, l, param, component);
     return lanes_load(x);
 }
 
@@ -27,7 +39,7 @@ LANES_INLINE int setup_any(const schuler_model_setup *s, int param, int componen
 {
     for (int l = 0; l < SCHULER_LANES; l++)
         for (int i = 0; i < components; i++)
-            if (s->specs[l].value[param][i] != 0.0) return 1;
+            if (setup_lane(s, l, param, i) != 0.0) return 1;
     return 0;
 }
 

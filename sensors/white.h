@@ -21,7 +21,11 @@ LANES_INLINE void white_setup(white_noise *w, const schuler_model_setup *s, int 
                               unsigned number)
 {
     const lanes root_dt = lanes_set(sqrt(s->dt_s));
-    for (int i = 0; i < 3; i++) w->sigma[i] = setup_value(s, param, i) * root_dt;
+    for (int i = 0; i < 3; i++) {
+        double gain[SCHULER_LANES] __attribute__((aligned(64)));
+        for (int l = 0; l < SCHULER_LANES; l++) gain[l] = 1.0 + s->specs[l].noise_excess[i];
+        w->sigma[i] = setup_value(s, param, i) * root_dt * lanes_load(gain);
+    }
     w->run = setup_runs(s);
     w->seed = s->seed;
     w->number = number;

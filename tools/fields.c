@@ -3,36 +3,69 @@
 #include "core/earth.h"
 #include "tools/page.h"
 #include <math.h>
+#include <string.h>
 
-/* The unit that limits and defaults are shown in: SI, but degrees, which everybody reads. */
-static const char *unit_of(schuler_dim dim)
+/* Powers of the base units, numerator or denominator; halves as they are. Returns how many. */
+static int put_powers(const schuler_dim *dim, int sign, const char *angle, char *text)
 {
-    static const struct {
-        schuler_dim dim;
-        const char *unit;
-    } units[] = {
-        { SCHULER_DIM_LENGTH, " m" },
-        { SCHULER_DIM_TIME, " s" },
-        { SCHULER_DIM_FREQUENCY, " Hz" },
-        { SCHULER_DIM_ANGLE, " deg" },
-        { SCHULER_DIM_RATE, " deg/s" },
-        { SCHULER_DIM_ANGULAR_ACCEL, " deg/s^2" },
-        { SCHULER_DIM_SPEED, " m/s" },
-        { SCHULER_DIM_ACCEL, " m/s^2" },
-        { SCHULER_DIM_JERK, " m/s^3" },
-        { SCHULER_DIM_ARW, " deg/sqrt(s)" },
-        { SCHULER_DIM_VRW, " m/s/sqrt(s)" },
-        { SCHULER_DIM_RRW, " deg/s/sqrt(s)" },
-        { SCHULER_DIM_ACCEL_RW, " m/s^2/sqrt(s)" },
+    const struct {
+        const char *name;
+        int doubled;
+    } base[] = {
+        { "kg", dim->mass2 },   { "T", dim->magnetic2 }, { "m", dim->length2 },
+        { angle, dim->angle2 }, { "s", dim->time2 },     { "K", dim->temperature2 },
     };
-    for (size_t i = 0; i < sizeof(units) / sizeof(units[0]); i++)
-        if (schuler_dim_equal(units[i].dim, dim)) return units[i].unit;
-    return schuler_dim_equal(dim, (schuler_dim)SCHULER_DIM_NONE) ? "" : " in SI units";
+    int count = 0;
+    size_t at = 0;
+    text[0] = '\0';
+    for (size_t i = 0; i < sizeof base / sizeof base[0]; i++) {
+        const int doubled = sign * base[i].doubled;
+        if (doubled <= 0) continue;
+        const char *const between = count++ == 0 ? "" : sign > 0 ? "*" : "/";
+        const size_t rest = FIELDS_UNIT_MAX / 2 - at;
+        at +=
+            (size_t)(doubled == 2   ? snprintf(text + at, rest, "%s%s", between, base[i].name)
+                     : doubled == 1 ? snprintf(text + at, rest, "%ssqrt(%s)", between, base[i].name)
+                                    : snprintf(text + at, rest, "%s%s^%g", between, base[i].name,
+                                               doubled / 2.0));
+        if (at >= FIELDS_UNIT_MAX / 2) break;
+    }
+    return count;
 }
 
+static const char *unit_with(schuler_dim dim, const char *angle, char text[FIELDS_UNIT_MAX])
+{
+    char above[FIELDS_UNIT_MAX / 2], below[FIELDS_UNIT_MAX / 2];
+    if (schuler_dim_equal(dim, (schuler_dim)SCHULER_DIM_FREQUENCY)) {
+        snprintf(text, FIELDS_UNIT_MAX, "Hz");
+        return text;
+    }
+    const int numerator = put_powers(&dim, 1, angle, above);
+    const int denominator = put_powers(&dim, -1, angle, below);
+    snprintf(text, FIELDS_UNIT_MAX, "%s%s%s", numerator || !denominator ? above : "1",
+             denominator ? "/" : "", below);
+    return text;
+}
+
+const char *fields_si_unit(schuler_dim dim, char text[FIELDS_UNIT_MAX])
+{
+    return unit_with(dim, "rad", text);
+}
+
+/* Limits and defaults are shown in SI, but degrees, which everybody reads. */
 static double shown(double si, schuler_dim dim)
 {
-    return dim.angle2 == 2 ? si / SCHULER_RAD_PER_DEG : si;
+    double per_unit = 1.0;
+    for (int i = 0; i < dim.angle2; i += 2) per_unit *= SCHULER_RAD_PER_DEG;
+    for (int i = 0; i > dim.angle2; i -= 2) per_unit /= SCHULER_RAD_PER_DEG;
+    return dim.angle2 % 2 == 0 ? si / per_unit : si;
+}
+
+static void put_unit(FILE *out, schuler_dim dim)
+{
+    char text[FIELDS_UNIT_MAX];
+    unit_with(dim, dim.angle2 % 2 == 0 ? "deg" : "rad", text);
+    if (text[0]) fprintf(out, " %s", text);
 }
 
 void fields_key(FILE *out, int indent, const char *key, const char *example)
@@ -52,23 +85,26 @@ void fields_doc(FILE *out, int indent, const char *doc)
 void fields_unit(FILE *out, schuler_dim dim)
 {
     const char *name = schuler_dim_name(dim, NULL);
-    fputs(name ? name : "quantity", out);
+    fputs(name && strcmp(name, "another quantity") != 0 ? name : "quantity", out);
 }
 
 void fields_range(FILE *out, double min, double max, schuler_dim dim)
 {
     if (min == 0.0 && max == 0.0) return;
+    if (!isfinite(min) && !isfinite(max)) return;
     if (isfinite(min) && isfinite(max))
-        fprintf(out, "; from %g to %g%s", shown(min, dim), shown(max, dim), unit_of(dim));
-    else if (isfinite(min))
-        fprintf(out, "; at least %g%s", shown(min, dim), unit_of(dim));
-    else if (isfinite(max))
-        fprintf(out, "; at most %g%s", shown(max, dim), unit_of(dim));
+        fprintf(out, "; from %g to %g", shown(min, dim), shown(max, dim));
+    else
+        fprintf(out, "; at %s %g", isfinite(min) ? "least" : "most",
+                shown(isfinite(min) ? min : max, dim));
+    put_unit(out, dim);
 }
 
 void fields_default(FILE *out, double def, schuler_dim dim)
 {
-    if (!isnan(def)) fprintf(out, "; default %g%s", shown(def, dim), unit_of(dim));
+    if (isnan(def)) return;
+    fprintf(out, "; default %g", shown(def, dim));
+    put_unit(out, dim);
 }
 
 static void put_number(FILE *out, const schuler_field *f, int indent)

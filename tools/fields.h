@@ -13,6 +13,9 @@ void fields_print(FILE *out, const schuler_object *object, int indent);
  * its dimension; "; from A to B UNIT" and "; default A UNIT". */
 void fields_key(FILE *out, int indent, const char *key, const char *example);
 void fields_doc(FILE *out, int indent, const char *doc);
+enum { FIELDS_UNIT_MAX = 64 };
+/** The SI unit of a dimension, such as "m/s^2", "s^2/m" or "1/K"; "" for a plain number. */
+const char *fields_si_unit(schuler_dim dim, char text[FIELDS_UNIT_MAX]);
 void fields_unit(FILE *out, schuler_dim dim);
 void fields_range(FILE *out, double min, double max, schuler_dim dim);
 void fields_default(FILE *out, double def, schuler_dim dim);

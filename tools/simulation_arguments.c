@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "tools/simulation_arguments.h"
 #include "tools/arguments.h"
+#include "tools/plugin_argument.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,7 +15,8 @@ enum {
     KEY_WITHOUT,
     KEY_IMU,
     KEY_JSON,
-    KEY_ISA
+    KEY_ISA,
+    KEY_PLUGIN
 };
 
 static const struct argp_option options[] = {
@@ -28,6 +30,7 @@ static const struct argp_option options[] = {
     { NULL, 'o', "DIR", 0, "result files, with errors over time", 0 },
     { "threads", KEY_THREADS, "N", 0, "threads; 0, the default: all processors", 0 },
     { "isa", KEY_ISA, "NAME", 0, "scalar, sse2, avx2 or avx512; same results", 0 },
+    PLUGIN_OPTION(KEY_PLUGIN),
     { "quiet", 'q', NULL, 0, "only the verdict; no warnings, no progress", 0 },
     { 0 },
 };
@@ -87,11 +90,18 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_ISA:
         read_isa(a, arg, state);
         return 0;
+    case KEY_PLUGIN:
+        if (a->count_files == SIMULATION_SET_MAX)
+            argp_error(state, "--plugin: more than %d of them", SIMULATION_SET_MAX);
+        plugin_argument(&a->plugins, arg);
+        a->files[a->count_files++] = arg;
+        return 0;
     case 'q':
         a->quiet = true;
         return 0;
     case ARGP_KEY_END:
         a->overrides.set = a->set;
+        a->overrides.plugins = a->plugins;
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -121,6 +131,7 @@ char *simulation_switches(const simulation_arguments *a)
     put_switch(out, "only", o->only);
     put_switch(out, "without", o->without);
     for (size_t i = 0; i < o->count_set; i++) put_switch(out, "set", o->set[i]);
+    for (size_t i = 0; i < a->count_files; i++) put_switch(out, "plugin", a->files[i]);
     if (fclose(out) == EOF) {
         free(text);
         return NULL;

@@ -18,6 +18,9 @@ typedef struct {
     schuler_isa isa;
     schuler_overrides overrides;
     const char *set[SIMULATION_SET_MAX];
+    schuler_plugins *plugins;              /* freed by the verb, last          */
+    const char *files[SIMULATION_SET_MAX]; /* of the plug-ins, as given         */
+    size_t count_files;
 } simulation_arguments;
 
 /* For .children of a verb's argp; its input must be a simulation_arguments. */

@@ -5,7 +5,7 @@
 #include "core/isa.h"
 #include "core/truth.h"
 #include "mechanization/mechanization.h"
-#include "sensors/model.h"
+#include "sensors/chain.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,7 +13,8 @@
 enum { GROUPS = 4, BLOCKS = 50, LANES_MAX = 8 };
 
 typedef struct {
-    const schuler_sensor_model *model;
+    schuler_isa isa;
+    schuler_chain *chain[SCHULER_INSTRUMENTS];
     const schuler_mechanization *frame;
     void *state[GROUPS][SCHULER_INSTRUMENTS], *nav[GROUPS];
     double *measured[SCHULER_INSTRUMENTS];
@@ -24,21 +25,13 @@ void counted(work *w); /* a name that callgrind finds */
 
 __attribute__((noinline)) void counted(work *w)
 {
-    for (int b = 0; b < BLOCKS; b++)
+    for (int b = 0; b < BLOCKS; b++) {
+        w->truth.first = (int64_t)b * SCHULER_BLOCK;
+        for (int i = 0; i < SCHULER_INSTRUMENTS; i++)
+            schuler_chain_observe(w->chain[i], &w->truth, NULL);
         for (int g = 0; g < GROUPS; g++) {
-            w->truth.first = (int64_t)b * SCHULER_BLOCK;
-            for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
-                const schuler_model_block block = { w->truth.first,
-                                                    SCHULER_BLOCK,
-                                                    SCHULER_BLOCK,
-                                                    w->truth.dt_s,
-                                                    i == SCHULER_ACCEL
-                                                        ? &w->truth.dv_ib_b[0][0]
-                                                        : &w->truth.dtheta_ib_b[0][0],
-                                                    NULL,
-                                                    w->measured[i] };
-                w->model->apply(w->state[g][i], &block);
-            }
+            for (int i = 0; i < SCHULER_INSTRUMENTS; i++)
+                schuler_chain_apply(w->chain[i], w->state[g][i], w->measured[i]);
             const schuler_nav_block nav = {
                 SCHULER_BLOCK, SCHULER_BLOCK, w->measured[SCHULER_GYRO], w->measured[SCHULER_ACCEL],
                 NULL,          NULL
@@ -46,6 +39,7 @@ __attribute__((noinline)) void counted(work *w)
             w->frame->advance(w->nav[g], &nav);
             w->frame->hold_vertical(w->nav[g], 0.0, 0.0);
         }
+    }
 }
 
 static void *aligned(size_t bytes)
@@ -55,18 +49,47 @@ static void *aligned(size_t bytes)
     return p;
 }
 
-static void give(const work *w, schuler_instrument i, const char *key, double value,
-                 schuler_lane_spec *spec)
+static const schuler_sensor_model *linear(schuler_isa isa)
 {
-    const schuler_param *params = w->model->params[i];
-    for (int k = 0; params[k].key; k++)
-        for (int c = 0; strcmp(params[k].key, key) == 0 && c < params[k].components; c++)
-            spec->value[k][c] = value;
+    return schuler_sensor_models(isa)[schuler_sensor_model_find("linear")];
 }
 
-static void set_up(work *w, schuler_isa isa, int normals, const schuler_gravity_table *gravity)
+static void give(const schuler_param *params, const char *key, double value,
+                 schuler_lane_spec *spec, bool *given)
 {
-    const int lanes = schuler_isa_lanes(isa);
+    for (int k = 0; params[k].key; k++) {
+        if (strcmp(params[k].key, key) != 0) continue;
+        given[k] = true;
+        for (int c = 0; c < params[k].components; c++) spec->value[k][c] = value;
+    }
+}
+
+static void make_chain(work *w, schuler_instrument i, int normals, schuler_lane_spec *spec)
+{
+    schuler_param params[SCHULER_PARAMS_MAX + 1];
+    bool given[SCHULER_PARAMS_MAX] = { false };
+    if (schuler_chain_params(linear(w->isa), i, params) < 0) exit(3);
+    give(params, "bias", 1e-4, spec, given);
+    /* So short that the drives are needed at every step. */
+    give(params, "gauss_markov_time", 0.01, spec, given);
+    if (normals >= 6)
+        give(params, i == SCHULER_ACCEL ? "velocity_random_walk" : "angle_random_walk", 1e-5, spec,
+             given);
+    if (normals >= 18) give(params, "gauss_markov", 1e-5, spec, given);
+    const schuler_chain_setup setup = { .model = linear(w->isa),
+                                        .instrument = i,
+                                        .isa = w->isa,
+                                        .dt_s = w->truth.dt_s,
+                                        .seed = 1,
+                                        .settings = spec,
+                                        .given = given };
+    if (schuler_chain_create(&w->chain[i], &setup, NULL) != SCHULER_OK) exit(3);
+}
+
+static void set_up(work *w, int normals, const schuler_gravity_table *gravity)
+{
+    const int lanes = schuler_isa_lanes(w->isa);
+    schuler_lane_spec spec[SCHULER_INSTRUMENTS] = { { 0 } };
     schuler_nav_state start[LANES_MAX];
     double knows_dg[LANES_MAX];
     for (int l = 0; l < lanes; l++) {
@@ -75,24 +98,21 @@ static void set_up(work *w, schuler_isa isa, int normals, const schuler_gravity_
                                  .q_b_e = { 1, 0, 0, 0 } };
         knows_dg[l] = 1.0;
     }
+    w->truth.n = SCHULER_BLOCK;
     w->truth.dt_s = 0.01;
+    for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
+        make_chain(w, (schuler_instrument)i, normals, &spec[i]);
+        w->measured[i] = aligned((size_t)3 * SCHULER_BLOCK * LANES_MAX * sizeof(double));
+    }
     for (int g = 0; g < GROUPS; g++) {
         for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
-            schuler_lane_spec specs[LANES_MAX] = { { 0 } };
+            schuler_lane_spec specs[LANES_MAX];
             for (int l = 0; l < lanes; l++) {
+                specs[l] = spec[i];
                 specs[l].run = (uint64_t)(g * lanes + l);
-                give(w, (schuler_instrument)i, "bias", 1e-4, &specs[l]);
-                /* So short that the drives are needed at every step. */
-                give(w, (schuler_instrument)i, "gauss_markov_time", 0.01, &specs[l]);
-                if (normals >= 6)
-                    give(w, (schuler_instrument)i,
-                         i == SCHULER_ACCEL ? "velocity_random_walk" : "angle_random_walk", 1e-5,
-                         &specs[l]);
-                if (normals >= 18) give(w, (schuler_instrument)i, "gauss_markov", 1e-5, &specs[l]);
             }
-            const schuler_model_setup setup = { (schuler_instrument)i, 1, 0.01, lanes, specs };
-            w->state[g][i] = aligned(w->model->state_size);
-            w->model->setup(w->state[g][i], &setup);
+            w->state[g][i] = aligned(schuler_chain_state_size(w->chain[i]));
+            schuler_chain_start(w->chain[i], w->state[g][i], specs);
         }
         const schuler_nav_setup nav = { .dt_s = 0.01,
                                         .samples_per_update = 1,
@@ -104,8 +124,6 @@ static void set_up(work *w, schuler_isa isa, int normals, const schuler_gravity_
         w->nav[g] = aligned(w->frame->state_size);
         w->frame->init(w->nav[g], &nav);
     }
-    for (int i = 0; i < SCHULER_INSTRUMENTS; i++)
-        w->measured[i] = aligned((size_t)3 * SCHULER_BLOCK * LANES_MAX * sizeof(double));
 }
 
 int main(int argc, char **argv)
@@ -119,9 +137,9 @@ int main(int argc, char **argv)
     if (schuler_field_open(&field, "wgs84", NULL) != SCHULER_OK ||
         schuler_gravity_fit(&gravity, field, NULL) != SCHULER_OK)
         return 3;
-    w.model = schuler_sensor_models(isa)[schuler_sensor_model_find("linear")];
+    w.isa = isa;
     w.frame = schuler_mechanizations(isa)[schuler_mechanization_find("ecef")];
-    set_up(&w, isa, atoi(argv[2]), &gravity);
+    set_up(&w, atoi(argv[2]), &gravity);
     counted(&w);
     printf("%d\n", BLOCKS * GROUPS * SCHULER_BLOCK * schuler_isa_lanes(isa));
     schuler_field_close(field);

@@ -23,6 +23,8 @@ expect 2 "$SCHULER" sensors shwo hg9900
 expect 2 "$SCHULER" sensors show
 
 expect 0 "$SCHULER" models
+cp out list_of_models
+[ "$(wc -L <out)" -le 80 ] || complain "models is wider than 80 columns"
 for model in linear static segments route ecef wgs84 egm96; do
     has out "  $model "
 done
@@ -32,10 +34,44 @@ for model in linear static segments route ecef wgs84 egm96; do
     [ "$(wc -L <out)" -le 80 ] || complain "models show $model is wider than 80 columns"
 done
 expect 0 "$SCHULER" models show linear
-has out "angle_random_walk"
 has out "error source gyro.bias"
 expect 2 "$SCHULER" models show liner
 has err "did you mean 'linear'?"
+
+# Models and stages: each is listed, can be shown, fits the screen, and says its keys.
+expect 0 "$SCHULER" models --json models.json
+same out list_of_models
+for kind in sensor_models stages spellings; do
+    count=$(json models.json $kind)
+    [ "$count" -ge 1 ] || complain "no $kind in JSON"
+    for at in $(seq 0 $((count - 1))); do
+        name=$(json models.json $kind "$at" name)
+        expect 0 "$SCHULER" models show "$name"
+        [ "$(wc -L <out)" -le 80 ] || complain "models show $name is wider than 80 columns"
+        has out "source: "
+        [ $kind = spellings ] && continue
+        for instrument in accel gyro; do
+            keys=$(json models.json $kind "$at" $instrument)
+            [ "$keys" != null ] || continue
+            for key in $(seq 0 $((keys - 1))); do
+                word=$(json models.json $kind "$at" $instrument "$key" key)
+                has out "    $word: "
+                [ $kind = sensor_models ] || has list_of_models "$word"
+            done
+        done
+    done
+done
+expect 0 "$SCHULER" models show bias_instability
+has out "flicker, an error beside those"
+expect 0 "$SCHULER" models show bandwidth
+has out "one of second, first; default second"
+expect 0 "$SCHULER" models show noise_density
+has out "one-sided"
+expect 0 "$SCHULER" models --json -
+[ "$(json out format)" = schuler-models-1 ] || complain "models --json - is not JSON alone"
+[ "$(json out sensor_models 0 accel 0 source)" = accel.bias ] || complain "source in models --json"
+expect 2 "$SCHULER" models --plugin nothere.so
+has err "nothere.so: error: no such plug-in"
 
 expect 0 "$SCHULER" init
 awk 'NF > 1 && /^  / { print $1 }' out >templates

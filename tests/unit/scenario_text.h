@@ -59,10 +59,9 @@ static inline void unload(loaded *l)
 }
 
 /* The index of the parameter of a triad, which must exist. */
-static inline int param_index(const schuler_triad *triad, schuler_instrument instrument,
-                              const char *key)
+static inline int param_index(const schuler_triad *triad, const char *key)
 {
-    const schuler_param *params = triad->model->params[instrument];
+    const schuler_param *params = triad->params;
     for (int i = 0; params[i].key; i++)
         if (strcmp(params[i].key, key) == 0) return i;
     fail_msg("no parameter %s", key);
@@ -73,7 +72,7 @@ static inline const schuler_value *value_of(const schuler_imu *imu, schuler_inst
                                             const char *key)
 {
     const schuler_triad *triad = &imu->triad[instrument];
-    return &triad->values[param_index(triad, instrument, key)];
+    return &triad->values[param_index(triad, key)];
 }
 
 #define TRAJECTORY                                                                                 \

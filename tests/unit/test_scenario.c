@@ -165,8 +165,8 @@ static void imu_without_a_part_is_what_it_says(void **state)
     assert_string_equal(l.s->imu.name, "custom");
     CHECK_NEAR(l.s->imu.rate_hz, 100.0, 0.0);
     const schuler_triad *accel = &l.s->imu.triad[SCHULER_ACCEL];
-    for (int i = 0; accel->model->params[SCHULER_ACCEL][i].key; i++) {
-        const schuler_param *p = &accel->model->params[SCHULER_ACCEL][i];
+    for (int i = 0; accel->params[i].key; i++) {
+        const schuler_param *p = &accel->params[i];
         assert_false(accel->values[i].given);
         /* A parameter that is no source has its default, a source is off. */
         CHECK_NEAR(accel->values[i].a[0], p->number == 0 ? p->def : 0.0, 0.0);

@@ -20,7 +20,12 @@ static void check_all(const mistake *table, size_t count)
         load(&l, table[i].text, NULL);
         if (l.rc != SCHULER_ERR_INPUT) fail_msg("taken: %s", table[i].text);
         const schuler_error *e = &l.d.items[0];
-        assert_string_equal(e->message, table[i].message);
+        /* A message that ends in ~ is only begun: it goes on with a long list of names. */
+        const size_t length = strlen(table[i].message);
+        if (table[i].message[length - 1] == '~')
+            assert_memory_equal(e->message, table[i].message, length - 1);
+        else
+            assert_string_equal(e->message, table[i].message);
         assert_int_equal(e->place.line, table[i].line);
         assert_int_equal(e->place.column, table[i].column);
         assert_int_equal(e->place.width, table[i].width);
@@ -74,9 +79,7 @@ static void mistakes_in_the_scenario_have_their_place(void **state)
           "errors.only: no error source or group 'gyro.bais'; did you mean 'gyro.bias'?" },
         { HEAD IMU "errors: {without: [gyro, odometer]}\n", 4, 26, 8,
           "errors.without: no error source or group 'odometer'; known: accel, accel.bias, "
-          "accel.scale_factor, accel.misalignment, accel.velocity_random_walk, accel.gauss_markov, "
-          "accel.bias_random_walk, accel.quantization, gyro, gyro.bias, gyro.scale_factor, "
-          "gyro.misalignment, gyro.angle_random_walk, gyro.gauss_markov, ..." },
+          "accel.scale_factor, accel.misalignment, ~" },
         { HEAD IMU "requirement: {drift: 1 nmi/h}\n", 4, 1, 11,
           "'requirement' needs the key 'statistic': CEP, R95 or rms. There is no default, because "
           "a "
@@ -116,9 +119,8 @@ static void mistakes_in_the_imu_have_their_place(void **state)
         { HEAD "imu: {use: hg9900, gyro: {model: cubic}}\n", 3, 34, 5,
           "imu.gyro.model: there is no gyro model 'cubic'; known: linear" },
         { HEAD "imu: {use: hg9900, gyro: {scale: 5 ppm}}\n", 3, 27, 5,
-          "unknown key 'scale' in 'imu.gyro'; known: model, noise_density, sided, bias, "
-          "scale_factor, misalignment, angle_random_walk, gauss_markov, gauss_markov_time, "
-          "bias_random_walk, quantization" },
+          "unknown key 'scale' in 'imu.gyro'; known: model, noise_density, sided, "
+          "allan_floor, bias, scale_factor, misalignment, ~" },
         { HEAD "imu: {accel: {model: linear}}\n", 3, 1, 3,
           "'imu' needs the key 'gyro' (or 'use: NAME', a part of the catalog), for example: "
           "{model: "
@@ -142,8 +144,8 @@ static void mistakes_in_the_imu_have_their_place(void **state)
         { HEAD "imu: {use: hg9900, accel: {noise_density: 1 ug/rtHz, sided: one, "
                "velocity_random_walk: 1 m/s/sqrt(h)}}\n",
           3, 28, 13,
-          "'imu.accel' has both 'noise_density' and 'velocity_random_walk', which mean the same "
-          "noise; give one of them" },
+          "'imu.accel' has both 'noise_density' and 'velocity_random_walk', which mean the same; "
+          "give one of them" },
         { HEAD "imu: {use: hg9900, accel: {bias: 1 g/h}}\n", 3, 36, 3,
           "imu.accel.bias: 'g/h' is a unit of jerk, but acceleration is expected (such as '1 "
           "ug')" },
@@ -291,7 +293,7 @@ static void a_catalog_value_without_a_source_is_refused(void **state)
         schuler_diagnostics d = { 0 };
         schuler_document *doc;
         assert_int_equal(schuler_document_parse(&doc, "p", text, sizeof text - 1, &d), SCHULER_OK);
-        schuler_reading r = { schuler_arena_create(), &d, false };
+        schuler_reading r = { .arena = schuler_arena_create(), .d = &d };
         schuler_part part = { .source_count = 0 };
         schuler_part_read(&r, doc, "p", strict, &part);
         assert_int_equal(d.errors, strict ? 2 : 0);

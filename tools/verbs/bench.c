@@ -5,18 +5,23 @@
 #include "tools/json.h"
 #include "tools/messages.h"
 #include "tools/page.h"
+#include "tools/plugin_argument.h"
 #include "tools/scenario_input.h"
 #include "tools/stop.h"
 #include <stdbool.h>
 #include <string.h>
 
+enum { KEY_PLUGIN = 256 };
+
 typedef struct {
     const char *file, *json;
     int rounds;
+    schuler_plugins *plugins;
 } bench_arguments;
 
 static const struct argp_option options[] = {
     { "rounds", 'n', "N", 0, "interleaved repetitions of each measurement (default 9)", 0 },
+    PLUGIN_OPTION(KEY_PLUGIN),
     { "json", 'j', "FILE", 0, "all figures as JSON; - is standard output", 0 },
     { 0 },
 };
@@ -27,6 +32,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     switch (key) {
     case 'n':
         a->rounds = (int)arguments_integer(state, "rounds", arg, 1, 99);
+        return 0;
+    case KEY_PLUGIN:
+        plugin_argument(&a->plugins, arg);
         return 0;
     case 'j':
         a->json = arg;
@@ -49,9 +57,9 @@ static const struct argp argp = {
     .args_doc = "FILE",
     .doc = "Measure the speed of the whole chain (truth, sensors, mechanization, gravity, "
            "comparison) on the "
-           "trajectory of a scenario, for every instruction set this processor has, with 0, 6 and "
-           "18 random "
-           "numbers a step; the truth alone; and two threads against one. Medians of interleaved "
+           "trajectory of a scenario, for every instruction set this processor has: linear sensors "
+           "with 0, 6 and 18 random numbers a step, and the heaviest models with all their terms; "
+           "the truth alone; and two threads against one. Medians of interleaved "
            "runs: compare "
            "ratios, single times depend on what else the machine does."
            "\vExamples:\n"
@@ -67,8 +75,7 @@ static void print_table(FILE *out, const schuler_bench *b)
         "One thread, million lane-steps a second (and times the scalar build), medians of %d\n\n",
         b->rounds);
     fprintf(out, "  %-8s", "");
-    for (int k = 0; k < SCHULER_BENCH_KINDS; k++)
-        fprintf(out, "  %12d normals", schuler_bench_normals[k]);
+    for (int k = 0; k < SCHULER_BENCH_KINDS; k++) fprintf(out, "  %20s", schuler_bench_names[k]);
     fprintf(out, "   truth, ns a step\n");
     for (int isa = 0; isa < SCHULER_ISA_COUNT; isa++) {
         if (!b->has[isa]) continue;
@@ -95,7 +102,7 @@ static json_t *as_json(const schuler_bench *b)
         json_t *kinds = json_array();
         for (int k = 0; kinds && k < SCHULER_BENCH_KINDS; k++)
             json_array_append_new(kinds,
-                                  json_pack("{s:i, s:o, s:o}", "normals", schuler_bench_normals[k],
+                                  json_pack("{s:s, s:o, s:o}", "sensors", schuler_bench_names[k],
                                             "ns_per_lane_step", spread(&b->chain_ns[isa][k]),
                                             "over_scalar", spread(&b->over_scalar[isa][k])));
         json_array_append_new(isas, json_pack("{s:s, s:o, s:o}", "isa",
@@ -112,12 +119,17 @@ exit_code verb_bench(int argc, char **argv)
     bench_arguments a = { .rounds = 9 };
     arguments_parse(&argp, argc, argv, &a);
     schuler_scenario *s;
-    exit_code code = scenario_input(a.file, NULL, false, &s);
-    if (code != EXIT_DONE) return code;
+    const schuler_overrides overrides = { .plugins = a.plugins };
+    exit_code code = scenario_input(a.file, &overrides, false, &s);
+    if (code != EXIT_DONE) {
+        schuler_plugins_free(a.plugins);
+        return code;
+    }
     schuler_bench bench;
     schuler_error error = { 0 };
     const schuler_status status = schuler_bench_run(s, a.rounds, stop_flag(), &bench, &error);
     schuler_scenario_free(s);
+    schuler_plugins_free(a.plugins);
     if (status != SCHULER_OK) {
         say_error(&error);
         return exit_of(status);

@@ -6,19 +6,24 @@
 #include "tools/json.h"
 #include "tools/messages.h"
 #include "tools/page.h"
+#include "tools/plugin_argument.h"
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
+enum { KEY_PLUGIN = 256 };
+
 typedef struct {
     const char *json;
     bool quiet;
+    schuler_plugins *plugins;
     const char **files; /* argv's own, count of them */
     int count;
 } check_arguments;
 
 static const struct argp_option options[] = {
     { "json", 'j', "FILE", 0, "what was found as JSON; - is standard output", 0 },
+    PLUGIN_OPTION(KEY_PLUGIN),
     { "quiet", 'q', NULL, 0, "errors only: no warnings, no \"ok\"", 0 },
     { 0 },
 };
@@ -29,6 +34,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     switch (key) {
     case 'j':
         a->json = arg;
+        return 0;
+    case KEY_PLUGIN:
+        plugin_argument(&a->plugins, arg);
         return 0;
     case 'q':
         a->quiet = true;
@@ -85,7 +93,8 @@ static exit_code check_file(const char *file, const check_arguments *a, FILE *ou
 {
     schuler_scenario *s = NULL;
     schuler_diagnostics d = { 0 };
-    const schuler_status status = schuler_scenario_load(&s, file, NULL, &d);
+    const schuler_overrides overrides = { .plugins = a->plugins };
+    const schuler_status status = schuler_scenario_load(&s, file, &overrides, &d);
     if (s) {
         check_gravity(s->truth_gravity, "truth.gravity", s, &d);
         if (strcmp(s->truth_gravity, s->nav_gravity) != 0)
@@ -120,6 +129,7 @@ exit_code verb_check(int argc, char **argv)
         if (code > worst) worst = code;
     }
     free(a.files);
+    schuler_plugins_free(a.plugins);
     exit_code code = page_show(&p);
     if (a.json) {
         json_t *root = json_pack("{s:s, s:s, s:o}", "format", "schuler-check-1", "version",

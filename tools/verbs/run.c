@@ -178,5 +178,6 @@ exit_code verb_run(int argc, char **argv)
     exit_code code = scenario_input(a.file, &a.overrides, a.quiet, &scenario);
     if (code == EXIT_DONE) code = simulate(scenario, &a);
     schuler_scenario_free(scenario);
+    schuler_plugins_free(a.plugins);
     return code;
 }

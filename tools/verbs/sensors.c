@@ -7,11 +7,30 @@
 #include "tools/messages.h"
 #include "tools/names.h"
 #include "tools/page.h"
+#include "tools/plugin_argument.h"
 #include "tools/terminal.h"
 #include <string.h>
 
+enum { KEY_PLUGIN = 256 };
+
+typedef struct {
+    list_show_arguments list_show; /* first: the rest of the command line is its parser's */
+    schuler_plugins *plugins;
+} sensors_arguments;
+
+static const struct argp_option options[] = { PLUGIN_OPTION(KEY_PLUGIN), { 0 } };
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    sensors_arguments *a = state->input;
+    if (key != KEY_PLUGIN) return list_show_parse(key, arg, state);
+    plugin_argument(&a->plugins, arg);
+    return 0;
+}
+
 static const struct argp argp = {
-    .parser = list_show_parse,
+    .options = options,
+    .parser = parse,
     .args_doc = "[list]\nshow NAME",
     .doc =
         "The catalog of real inertial measurement units. 'show' takes a catalog name or a sensor "
@@ -26,7 +45,7 @@ static const struct argp argp = {
 static const char *figure(const schuler_imu *imu, schuler_instrument instrument, const char *key)
 {
     const schuler_triad *triad = &imu->triad[instrument];
-    const schuler_param *params = triad->model ? triad->model->params[instrument] : NULL;
+    const schuler_param *params = triad->params;
     for (int i = 0; params && params[i].key; i++)
         if (strcmp(params[i].key, key) == 0 && triad->values[i].given) return triad->values[i].text;
     return "-";
@@ -103,7 +122,7 @@ static void put_triad(FILE *out, const schuler_imu *imu, schuler_instrument inst
     const schuler_triad *triad = &imu->triad[instrument];
     if (!triad->model) return;
     fprintf(out, "\n  %s, model %s\n", schuler_instrument_name(instrument), triad->model->name);
-    const schuler_param *params = triad->model->params[instrument];
+    const schuler_param *params = triad->params;
     for (int i = 0; params && params[i].key; i++) {
         if (!triad->values[i].given) continue;
         put_parameter(out, &params[i], &triad->values[i]);
@@ -141,7 +160,7 @@ static bool looks_like_file(const char *name)
     return strpbrk(name, "/.") != NULL;
 }
 
-static exit_code show_named(FILE *out, const char *name)
+static exit_code show_named(FILE *out, const char *name, const schuler_plugins *plugins)
 {
     const char *known[NAMES_MAX];
     names_of_sensors(known);
@@ -154,7 +173,7 @@ static exit_code show_named(FILE *out, const char *name)
     }
     schuler_part *part = NULL;
     schuler_diagnostics d = { 0 };
-    const schuler_status status = schuler_part_load(&part, name, &d);
+    const schuler_status status = schuler_part_load_with(&part, name, plugins, &d);
     say_diagnostics(&d, true);
     schuler_diagnostics_free(&d);
     if (status == SCHULER_OK) show(out, part);
@@ -165,12 +184,14 @@ static exit_code show_named(FILE *out, const char *name)
 
 exit_code verb_sensors(int argc, char **argv)
 {
-    list_show_arguments a = { .what = "part" };
+    sensors_arguments a = { .list_show = { .what = "part" } };
     arguments_parse(&argp, argc, argv, &a);
     page p;
     page_open(&p);
-    if (!p.out) return page_show(&p);
-    exit_code code = a.name ? show_named(p.out, a.name) : list(p.out);
+    exit_code code = EXIT_DONE;
+    const char *const name = a.list_show.name;
+    if (p.out) code = name ? show_named(p.out, name, a.plugins) : list(p.out);
+    schuler_plugins_free(a.plugins);
     const exit_code shown = page_show(&p);
     return code == EXIT_DONE ? shown : code;
 }

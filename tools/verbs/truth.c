@@ -6,17 +6,19 @@
 #include "tools/arguments.h"
 #include "tools/messages.h"
 #include "tools/outfile.h"
+#include "tools/plugin_argument.h"
 #include "tools/scenario_input.h"
 #include "tools/simulation_arguments.h"
 #include "tools/stop.h"
 #include "tools/terminal.h"
 #include <math.h>
 
-enum { KEY_IMU_OUT = 256, KEY_REFERENCE_OUT, KEY_EVERY, KEY_SET };
+enum { KEY_IMU_OUT = 256, KEY_REFERENCE_OUT, KEY_EVERY, KEY_SET, KEY_PLUGIN };
 
 typedef struct {
     const char *file, *imu, *reference, *every;
     bool quiet;
+    schuler_plugins *plugins;
     schuler_overrides overrides;
     const char *set[SIMULATION_SET_MAX];
 } truth_arguments;
@@ -27,6 +29,7 @@ static const struct argp_option options[] = {
     { "reference-every", KEY_EVERY, "TIME", 0,
       "interval of the reference's rows, such as '1 s' (default: each sample)", 0 },
     { "set", KEY_SET, "PATH=VALUE", 0, "change a value of the scenario; may be repeated", 0 },
+    PLUGIN_OPTION(KEY_PLUGIN),
     { "quiet", 'q', NULL, 0, "no progress and no warnings", 0 },
     { 0 },
 };
@@ -48,6 +51,10 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         if (a->overrides.count_set == SIMULATION_SET_MAX) argp_error(state, "too many --set");
         a->set[a->overrides.count_set++] = arg;
         a->overrides.set = a->set;
+        return 0;
+    case KEY_PLUGIN:
+        plugin_argument(&a->plugins, arg);
+        a->overrides.plugins = a->plugins;
         return 0;
     case 'q':
         a->quiet = true;
@@ -186,5 +193,6 @@ exit_code verb_truth(int argc, char **argv)
     exit_code code = scenario_input(a.file, &a.overrides, a.quiet, &s);
     if (code == EXIT_DONE) code = write_truth(s, &a);
     schuler_scenario_free(s);
+    schuler_plugins_free(a.plugins);
     return code;
 }

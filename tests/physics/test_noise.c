@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The linear model's terms against closed forms, by the scalar build of the lane headers. */
+/* Noise processes against closed forms, by the scalar build of the lane headers. */
 #define SCHULER_LANES      1
 #define SCHULER_ISA_SUFFIX test
 #include "check.h"
@@ -18,6 +18,21 @@ static schuler_lane_spec spec_of(uint64_t run, double value, double time_s)
     return spec;
 }
 
+static schuler_model_setup setup_of(schuler_instrument instrument, uint64_t seed, double dt_s,
+                                    const schuler_lane_spec *spec)
+{
+    return (schuler_model_setup){
+        .instrument = instrument, .seed = seed, .dt_s = dt_s, .lanes = 1, .specs = spec
+    };
+}
+
+static schuler_model_block block_of(int first, double *out)
+{
+    return (schuler_model_block){
+        .first = first, .n = SCHULER_BLOCK, .stride = STRIDE, .dt_s = 0.01, .out = out
+    };
+}
+
 /* Published in the reference as C4, C4b: sigma = 1, T = 100 s, interval 0.01 s; 15 digits printed.
  */
 static void gauss_markov_coefficients_are_the_reference_values(void **state)
@@ -25,7 +40,7 @@ static void gauss_markov_coefficients_are_the_reference_values(void **state)
     (void)state;
     const schuler_lane_spec spec = spec_of(0, 1.0, 100.0);
     /* 0.1 s samples cannot be lumped: the slow step is one sample... */
-    schuler_model_setup s = { SCHULER_GYRO, 1, 0.1, 1, &spec };
+    schuler_model_setup s = setup_of(SCHULER_GYRO, 1, 0.1, &spec);
     bias_drift d;
     gauss_markov_setup(&d, &s, P, TIME, 204);
     assert_int_equal(d.pace, 1);
@@ -58,7 +73,7 @@ static void random_walk_coefficients_are_the_reference_values(void **state)
 {
     (void)state;
     const schuler_lane_spec spec = spec_of(0, 1.0, 0.0);
-    const schuler_model_setup s = { SCHULER_GYRO, 1, 0.00125, 1, &spec };
+    const schuler_model_setup s = setup_of(SCHULER_GYRO, 1, 0.00125, &spec);
     bias_drift d;
     random_walk_setup(&d, &s, P, 205);
     CHECK_REL(d.l11[0], 0.1, 1e-14); /* C5 */
@@ -80,13 +95,13 @@ static double summed(schuler_model_block *block, double out[3][STRIDE])
 static double white_run(uint64_t run, double N, double unused)
 {
     const schuler_lane_spec spec = spec_of(run, N, unused);
-    const schuler_model_setup s = { SCHULER_GYRO, 3, 0.01, 1, &spec };
+    const schuler_model_setup s = setup_of(SCHULER_GYRO, 3, 0.01, &spec);
     static double out[3][STRIDE] __attribute__((aligned(64)));
     white_noise w;
     white_setup(&w, &s, P, 203);
     memset(out, 0, sizeof(out));
     for (int first = 0; first < STEPS; first += SCHULER_BLOCK) {
-        schuler_model_block b = { first, SCHULER_BLOCK, STRIDE, 0.01, NULL, NULL, &out[0][first] };
+        const schuler_model_block b = block_of(first, &out[0][first]);
         white_add(&w, &b);
     }
     return summed(NULL, out);
@@ -97,7 +112,7 @@ static double drift_run(bias_drift *d)
     static double out[3][STRIDE] __attribute__((aligned(64)));
     memset(out, 0, sizeof(out));
     for (int first = 0; first < STEPS; first += SCHULER_BLOCK) {
-        schuler_model_block b = { first, SCHULER_BLOCK, STRIDE, 0.01, NULL, NULL, &out[0][first] };
+        const schuler_model_block b = block_of(first, &out[0][first]);
         drift_add(d, &b);
     }
     return summed(NULL, out);
@@ -106,7 +121,7 @@ static double drift_run(bias_drift *d)
 static double gauss_markov_run(uint64_t run, double sigma, double time_s)
 {
     const schuler_lane_spec spec = spec_of(run, sigma, time_s);
-    const schuler_model_setup s = { SCHULER_GYRO, 3, 0.01, 1, &spec };
+    const schuler_model_setup s = setup_of(SCHULER_GYRO, 3, 0.01, &spec);
     bias_drift d;
     gauss_markov_setup(&d, &s, P, TIME, 204);
     return drift_run(&d);
@@ -115,7 +130,7 @@ static double gauss_markov_run(uint64_t run, double sigma, double time_s)
 static double walk_run(uint64_t run, double K, double unused)
 {
     const schuler_lane_spec spec = spec_of(run, K, unused);
-    const schuler_model_setup s = { SCHULER_GYRO, 3, 0.01, 1, &spec };
+    const schuler_model_setup s = setup_of(SCHULER_GYRO, 3, 0.01, &spec);
     bias_drift d;
     random_walk_setup(&d, &s, P, 205);
     return drift_run(&d);
@@ -152,7 +167,7 @@ static void quantizer_loses_nothing(void **state)
     double in_sum = 0.0, out_sum = 0.0;
     static double out[3][STRIDE] __attribute__((aligned(64)));
     const schuler_lane_spec spec = spec_of(9, lsb, 0.0);
-    const schuler_model_setup s = { SCHULER_ACCEL, 3, 0.01, 1, &spec };
+    const schuler_model_setup s = setup_of(SCHULER_ACCEL, 3, 0.01, &spec);
     quantizer q;
     quantizer_setup(&q, &s, P, 106);
     const double rest_at_start = q.rest[0];
@@ -161,8 +176,7 @@ static void quantizer_loses_nothing(void **state)
             for (int k = 0; k < SCHULER_BLOCK; k++)
                 out[i][first + k] = 0.05 * sin(0.1 * (first + k));
         for (int k = 0; k < SCHULER_BLOCK; k++) in_sum += out[0][first + k];
-        const schuler_model_block b = { first, SCHULER_BLOCK, STRIDE,        0.01,
-                                        NULL,  NULL,          &out[0][first] };
+        const schuler_model_block b = block_of(first, &out[0][first]);
         quantizer_apply(&q, &b);
         for (int k = 0; k < SCHULER_BLOCK; k++) {
             const double counts = out[0][first + k] / lsb;
@@ -182,7 +196,7 @@ static void remainder_is_uniform_over_runs(void **state)
     double sum2 = 0.0;
     for (uint64_t run = 0; run < R; run++) {
         const schuler_lane_spec spec = spec_of(run, 1.0, 0.0);
-        const schuler_model_setup s = { SCHULER_GYRO, 3, 0.01, 1, &spec };
+        const schuler_model_setup s = setup_of(SCHULER_GYRO, 3, 0.01, &spec);
         quantizer q;
         quantizer_setup(&q, &s, P, 206);
         sum2 += q.rest[0] * q.rest[0];
