@@ -3,6 +3,7 @@
  */
 #include "core/earth.h"
 #include "scenarios/part.h"
+#include "sensors/response.h"
 #include <math.h>
 #include <string.h>
 
@@ -143,6 +144,24 @@ static void read_triads(schuler_reading *r, const schuler_node *node, const imu_
     }
 }
 
+/* The delay stage keeps so many samples. */
+static void check_delay(schuler_reading *r, const schuler_imu *imu, const char *what,
+                        const schuler_triad *triad)
+{
+    for (int k = 0; triad->model && triad->params[k].key; k++) {
+        const schuler_value *const v = &triad->values[k];
+        if (strcmp(triad->params[k].key, "delay") != 0 || !v->given) continue;
+        double longest_s = 0.0;
+        for (int c = 0; c < triad->params[k].components; c++)
+            longest_s = fmax(longest_s, fmax(v->a[c], v->b[c]));
+        if (longest_s * imu->rate_hz > SCHULER_DELAY_STEPS_MAX)
+            schuler_diagnose(r->d, SCHULER_ERR_INPUT, &v->place,
+                             "%s.delay: at %g Hz at most %g s (%d samples) are allowed", what,
+                             imu->rate_hz, SCHULER_DELAY_STEPS_MAX / imu->rate_hz,
+                             SCHULER_DELAY_STEPS_MAX);
+    }
+}
+
 bool schuler_part_use(schuler_reading *r, const schuler_node *use, const char *what,
                       const char *folder, schuler_part *part, schuler_document *documents[],
                       size_t *count)
@@ -193,6 +212,8 @@ void schuler_imu_read(schuler_reading *r, const schuler_node *node, const char *
                          part.imu.name, schuler_instrument_name(instrument),
                          schuler_instrument_name(instrument));
     }
+    check_delay(r, imu, "imu.accel", &imu->triad[SCHULER_ACCEL]);
+    check_delay(r, imu, "imu.gyro", &imu->triad[SCHULER_GYRO]);
     if (section.use && (section.triad[SCHULER_ACCEL] || section.triad[SCHULER_GYRO])) {
         const char *title = schuler_arena_printf(r->arena, "%s (with changes)", imu->title);
         if (title) imu->title = title;

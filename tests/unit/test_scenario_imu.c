@@ -127,6 +127,9 @@ static void mistakes_are_told(void **state)
           "'imu.accel' has both 'allan_floor' and 'bias_instability', which mean the same; give "
           "one "
           "of them" },
+        { HEAD
+          "imu: {rate: 200 Hz, accel: {model: linear, delay: 0.33 s}, gyro: {model: linear}}\n",
+          "imu.accel.delay: at 200 Hz at most 0.32 s (64 samples) are allowed" },
         { HEAD "imu: {accel: {model: linear, input_axes: [1, 0, 0, 0, 1, 0, 1, 1, 0]}, gyro: "
                "{model: linear}}\n",
           "imu.accel.input_axes: the three axes lie in a plane, so the input cannot be found from "
