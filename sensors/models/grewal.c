@@ -82,8 +82,9 @@ MODEL(grewal) = {
               "Navigation, "
               "and Integration, 2001; W. S. Flenniken et al., ION GNSS 2005; eq 6 of T. L. "
               "Grigorie et al.",
-    .equation = "a_x' = (1 + SF_x) a_x + SFA_x |a_x| + SFN_x a_x^2 + sin(Delta_z + delta_z) a_y\n"
-                "       + sin(Delta_y - delta_y) a_z + c_x + b_x + w_x, and cyclic",
+    .equation = "a_x' = (1 + SF_x) a_x + SFA_x |a_x| + SFN_x a_x^2\n"
+                "       + sin(Delta_z + delta_z) a_y + sin(Delta_y - delta_y) a_z\n"
+                "       + c_x + b_x + w_x, and cyclic",
     .departures = "none in the formula, which is kept with its rows that are not unit vectors "
                   "(second order). "
                   "w, not defined in print, is the chain's white noise.",

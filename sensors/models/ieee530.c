@@ -98,11 +98,12 @@ MODEL(ieee530) = {
     .name = "ieee530",
     .summary = "pendulous accelerometer with digital torque balance, two-sided scale factor",
     .source = "IEEE Std 530-1978; eqs 8-9 of T. L. Grigorie et al.",
-    .equation = "conventional: E/K1 = K0 + a_i + K2 a_i^2 + K3 a_i^3 + delta_o a_p - delta_p a_o\n"
-                "                     + K_ip a_i a_p + K_io a_i a_o\n"
-                "asymmetric:   E/(K1 z+ + K1' z-) = K0 + a_i + delta_o a_p - delta_p a_o\n"
-                "              z+ = 1 for a_i >= 0, z- = 1 for a_i < 0; K1 = K1n (1 + K1_plus), "
-                "K1' = K1n (1 + K1_minus)",
+    .equation = "conventional: E/K1 = K0 + a_i + K2 a_i^2 + K3 a_i^3\n"
+                "              + delta_o a_p - delta_p a_o + K_ip a_i a_p + K_io a_i a_o\n"
+                "asymmetric: E/(K1 z+ + K1' z-) = K0 + a_i\n"
+                "              + delta_o a_p - delta_p a_o\n"
+                "z+ = 1 for a_i >= 0, z- = 1 for a_i < 0\n"
+                "K1 = K1n (1 + K1_plus), K1' = K1n (1 + K1_minus)",
     .departures =
         "the print has K1 twice, K1 z+ + K1 z-, which leaves no asymmetry: the second is K1' as "
         "its "
