@@ -196,12 +196,12 @@ MODEL(ieee1293) = {
     .name = "ieee1293",
     .summary = "the full static model of IEEE 1293: asymmetries, any order, cross terms, spin",
     .source = "IEEE Std 1293-1998 (R2008); eqs 11-20 of T. L. Grigorie et al.",
-    .equation =
-        "E = K1n (1 + k1) { K0 + 1/2 K0' sgn(a_i) + [1 + 1/2 K1' sgn(a_i)] a_i + K_oq a_i |a_i|\n"
-        "    + K2 a_i^2 + ... + K7 a_i^7 + delta_o a_p - delta_p a_o + K_ip a_i a_p + K_io a_i "
-        "a_o\n"
-        "    + K_po a_p a_o + K_pp a_p^2 + K_oo a_o^2 + K_spin omega_i omega_p + K_ang "
-        "d(omega_o)/dt }",
+    .equation = "E = K1n (1 + k1) { K0 + 1/2 K0' sgn(a_i)\n"
+                "    + [1 + 1/2 K1' sgn(a_i)] a_i + K_oq a_i |a_i|\n"
+                "    + K2 a_i^2 + ... + K7 a_i^7 + delta_o a_p - delta_p a_o\n"
+                "    + K_ip a_i a_p + K_io a_i a_o + K_po a_p a_o\n"
+                "    + K_pp a_p^2 + K_oo a_o^2\n"
+                "    + K_spin omega_i omega_p + K_ang d(omega_o)/dt }",
     .departures =
         "K_po and K_op are one coefficient. sgn(0) = 0, and the true input decides, so that noise "
         "does not toggle the bias. The printed signs of K_spin and K_ang hold for a pendulous axis "

@@ -61,9 +61,9 @@ MODEL(ieee836) = {
     .name = "ieee836",
     .summary = "centrifuge model: cubic in all three axes",
     .source = "IEEE Std 836-2009; eq 10 of T. L. Grigorie et al.",
-    .equation =
-        "E/K1 = K0 + a_i + K2 a_i^2 + K3 a_i^3 + K_ip a_i a_p + K_io a_i a_o + K_po a_p a_o\n"
-        "       + delta_o a_p - delta_p a_o + K_pp a_p^2 + K_ppp a_p^3 + K_oo a_o^2 + K_ooo a_o^3",
+    .equation = "E/K1 = K0 + a_i + K2 a_i^2 + K3 a_i^3 + K_ip a_i a_p\n"
+                "       + K_io a_i a_o + K_po a_p a_o + delta_o a_p - delta_p a_o\n"
+                "       + K_pp a_p^2 + K_ppp a_p^3 + K_oo a_o^2 + K_ooo a_o^3",
     .departures =
         "the paper says that its eq 8 was completed; this extends eq 7, with one K1. K_op of the "
         "print is called K_po as in IEEE 1293: the same coefficient",
