@@ -12,7 +12,7 @@ set(SCHULER_PUBLIC_HEADERS
   scenarios/bench.h scenarios/csv.h scenarios/digits.h scenarios/gallery.h
   scenarios/metrics.h scenarios/navigate.h scenarios/scenario.h scenarios/simulation.h
   scenarios/source_count.h scenarios/trajectory_file.h
-  sensors/catalog.h sensors/chain.h sensors/drift.h sensors/model.h sensors/response.h sensors/mounting.h sensors/params.h sensors/pendulum.h
+  sensors/catalog.h sensors/chain.h sensors/drift.h sensors/model.h sensors/response.h sensors/mounting.h sensors/optics.h sensors/params.h sensors/pendulum.h
   sensors/plugin.h sensors/plugins.h sensors/quantizer.h sensors/setup.h sensors/stand.h sensors/temperature.h
   sensors/terms.h sensors/white.h)
 

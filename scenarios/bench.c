@@ -72,7 +72,7 @@ static void set_processes(schuler_scenario *s, schuler_instrument i, double bias
 static schuler_scenario sensors_for(const schuler_scenario *base, int kind,
                                     schuler_param params[][SCHULER_PARAMS_MAX + 1])
 {
-    static const char *const heaviest[SCHULER_INSTRUMENTS] = { "ieee1293", "linear" };
+    static const char *const heaviest[SCHULER_INSTRUMENTS] = { "ieee1293", "spinning_mass" };
     static const double bias[SCHULER_INSTRUMENTS] = { 2.5e-4, 1.7e-8 };
     schuler_scenario s = *base;
     s.samples_per_update = 1;

@@ -11,7 +11,7 @@ SCHULER_BEGIN_C
 
 /* Sensors: `linear` without noise; with white noise of both triads (6 random numbers a step); with
  * two Gauss-Markov drives an axis as well (18); and the heaviest there is: `ieee1293` and
- * `linear` gyros with all their terms, flicker, random walk of the bias, quantization and a
+ * `spinning_mass` with all their terms, flicker, random walk of the bias, quantization and a
  * second-order bandwidth. */
 enum { SCHULER_BENCH_KINDS = 4, SCHULER_BENCH_LANES = 256, SCHULER_BENCH_SECONDS = 40 };
 static const char *const schuler_bench_names[SCHULER_BENCH_KINDS] = { "0 normals", "6 normals",

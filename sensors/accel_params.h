@@ -11,11 +11,7 @@
         -2 * (N), 4 * (N), 0, 0, 0, 0                                                              \
     } /* (m/s^2)^-N, exponents doubled */
 
-#define ACCEL_TERM(KEY, NUMBER, DIM_, MAX, ACTS_, EXAMPLE, DOC, FORMULA)                           \
-    {                                                                                              \
-        .key = KEY, .number = NUMBER, .dim = DIM_, .components = 3, .min = -(MAX), .max = MAX,     \
-        .acts = SCHULER_ACTS_##ACTS_, .example = EXAMPLE, .doc = DOC, .formula = FORMULA           \
-    }
+#define ACCEL_TERM PARAM_TERM
 
 #define ACCEL_BIAS                                                                                 \
     ACCEL_TERM("bias", 100, SCHULER_DIM_ACCEL, 1e3, CONSTANT, "50 ug",                             \
@@ -56,13 +52,5 @@
     IEEE_CROSS("K_po", 155, "cross coupling of pendulous and output axis (K_op)", "K_po a_p a_o")
 #define IEEE_K_PP IEEE_CROSS("K_pp", 156, "non-linearity of the pendulous axis", "K_pp a_p^2")
 #define IEEE_K_OO IEEE_CROSS("K_oo", 157, "non-linearity of the output axis", "K_oo a_o^2")
-
-/* Place of the angle of instrument `axis` toward its next axis (1) or the one after it (2) in xy, xz,
- * yx, yz, zx, zy. */
-static inline int cross_component(int axis, int toward)
-{
-    const int other = (axis + toward) % 3;
-    return 2 * axis + (other > axis ? other - 1 : other);
-}
 
 #endif

@@ -14,11 +14,18 @@
         .formula = FORMULA, __VA_ARGS__                                                            \
     }
 
-/* A setting with a value for each axis. */
-#define PARAM_SETTING(KEY, DIM_, DEF, MIN, MAX, EXAMPLE, DOC, ...)                                 \
+/* The same with any dimension, DIM_ in braces, either sign up to MAX: a coefficient of a term. */
+#define PARAM_TERM(KEY, NUMBER, DIM_, MAX, ACTS_, EXAMPLE, DOC, FORMULA)                           \
+    {                                                                                              \
+        .key = KEY, .number = NUMBER, .dim = DIM_, .components = 3, .min = -(MAX), .max = MAX,     \
+        .acts = SCHULER_ACTS_##ACTS_, .example = EXAMPLE, .doc = DOC, .formula = FORMULA           \
+    }
+
+/* A setting with a value for each axis; after EXAMPLE its doc, more members may follow. */
+#define PARAM_SETTING(KEY, DIM_, DEF, MIN, MAX, EXAMPLE, ...)                                      \
     {                                                                                              \
         .key = KEY, .dim = SCHULER_DIM_##DIM_, .components = 3, .def = DEF, .min = MIN,            \
-        .max = MAX, .example = EXAMPLE, .doc = DOC, __VA_ARGS__                                    \
+        .max = MAX, .example = EXAMPLE, .doc = __VA_ARGS__                                         \
     }
 
 /* A setting that is one of a few words; the first is what holds when nothing is said. */
@@ -37,5 +44,13 @@
 #define STAGE(NAME)                                                                                \
     extern const schuler_sensor_model SCHULER_LANE_NAME(schuler_stage_##NAME);                     \
     const schuler_sensor_model SCHULER_LANE_NAME(schuler_stage_##NAME)
+
+/* Place of the angle of instrument `axis` toward its next axis (1) or the one after it (2) in xy, xz,
+ * yx, yz, zx, zy. */
+static inline int cross_component(int axis, int toward)
+{
+    const int other = (axis + toward) % 3;
+    return 2 * axis + (other > axis ? other - 1 : other);
+}
 
 #endif

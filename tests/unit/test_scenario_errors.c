@@ -117,7 +117,8 @@ static void mistakes_in_the_imu_have_their_place(void **state)
         { HEAD "imu: {use: hg9900, rate: 100 s}\n", 3, 30, 1,
           "imu.rate: 's' is a unit of time, but frequency is expected (such as '100 Hz')" },
         { HEAD "imu: {use: hg9900, gyro: {model: cubic}}\n", 3, 34, 5,
-          "imu.gyro.model: there is no gyro model 'cubic'; known: linear" },
+          "imu.gyro.model: there is no gyro model 'cubic'; known: linear, conventional, "
+          "ring_laser, fibre_optic, vibratory, spinning_mass, gyro_datasheet" },
         { HEAD "imu: {use: hg9900, gyro: {scale: 5 ppm}}\n", 3, 27, 5,
           "unknown key 'scale' in 'imu.gyro'; known: model, noise_density, sided, "
           "allan_floor, bias, scale_factor, misalignment, ~" },
