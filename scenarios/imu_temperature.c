@@ -20,10 +20,11 @@ typedef struct {
     warm_up warm_up;
 } section;
 
-#define QUANTITY(STRUCT, MEMBER, KEY, DIM_, EXAMPLE, DOC, ...)                                     \
+/* The last argument is the doc; further members may follow. */
+#define QUANTITY(STRUCT, MEMBER, KEY, DIM_, EXAMPLE, ...)                                          \
     {                                                                                              \
         .key = KEY, .kind = SCHULER_FIELD_QUANTITY, .offset = offsetof(STRUCT, MEMBER),            \
-        .dim = SCHULER_DIM_##DIM_, .example = EXAMPLE, .doc = DOC, __VA_ARGS__                     \
+        .dim = SCHULER_DIM_##DIM_, .example = EXAMPLE, .doc = __VA_ARGS__                          \
     }
 
 static const schuler_field point_fields[] = {
