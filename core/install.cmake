@@ -9,11 +9,11 @@ set(SCHULER_PUBLIC_HEADERS
   core/lanes.h core/normal.h core/path.h core/random.h core/schema.h core/trajectory.h core/truth.h core/truth_nodes.h
   core/units.h core/vec.h
   mechanization/mechanization.h
-  scenarios/bench.h scenarios/csv.h scenarios/digits.h scenarios/gallery.h
-  scenarios/metrics.h scenarios/navigate.h scenarios/scenario.h scenarios/simulation.h
+  scenarios/bench.h scenarios/csv.h scenarios/digits.h scenarios/identify.h scenarios/gallery.h
+  scenarios/metrics.h scenarios/navigate.h scenarios/recording.h scenarios/scenario.h scenarios/simulation.h
   scenarios/source_count.h scenarios/trajectory_file.h
-  sensors/catalog.h sensors/chain.h sensors/drift.h sensors/model.h sensors/response.h sensors/mounting.h sensors/optics.h sensors/params.h sensors/pendulum.h
-  sensors/plugin.h sensors/plugins.h sensors/quantizer.h sensors/setup.h sensors/stand.h sensors/temperature.h
+  sensors/allan.h sensors/allan_fit.h sensors/catalog.h sensors/chain.h sensors/chi_square.h sensors/drift.h sensors/drift_integral.h sensors/model.h sensors/response.h sensors/mounting.h sensors/optics.h sensors/params.h sensors/pendulum.h
+  sensors/plugin.h sensors/plugins.h sensors/processes.h sensors/quantizer.h sensors/setup.h sensors/spectrum.h sensors/stand.h sensors/temperature.h
   sensors/terms.h sensors/white.h)
 
 install(TARGETS schuler EXPORT schuler-targets)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "scenarios/batch.h"
+#include "scenarios/lane_spec.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -66,30 +67,15 @@ static const batch_lane *lane_at(const lane_batch_state *b, int g, int place)
     return &b->lanes[i < b->count ? i : b->count - 1];
 }
 
-/* Parameters that are no sources, the same in every lane. */
-static void fill_settings(const schuler_triad *triad, schuler_lane_spec *spec)
-{
-    for (int k = 0; triad->params[k].key; k++) {
-        if (triad->params[k].number != 0) continue;
-        const schuler_value *v = &triad->values[k];
-        for (int c = 0; c < triad->params[k].components; c++)
-            spec->value[k][c] = v->given ? v->a[c] : triad->params[k].def;
-    }
-}
-
 static void fill_spec(const lane_batch_state *b, const batch_lane *l, schuler_instrument instrument,
                       schuler_lane_spec *spec)
 {
     const simulation_plan *p = b->plan;
-    *spec = (schuler_lane_spec){ .run = (uint64_t)l->run };
-    fill_settings(&p->scenario->imu.triad[instrument], spec);
+    schuler_lane_spec_start(&p->scenario->imu.triad[instrument], (uint64_t)l->run, spec);
     for (int i = 0; i < p->count; i++) {
         const error_source *s = &p->sources[i];
-        if (s->kind != SOURCE_SENSOR || s->instrument != instrument || !plan_enabled(p, l->row, i))
-            continue;
-        for (int c = 0; c < s->components; c++)
-            spec->value[s->param][c] =
-                schuler_source_draw(s, c, p->scenario->seed, (uint64_t)l->run);
+        if (s->kind == SOURCE_SENSOR && s->instrument == instrument && plan_enabled(p, l->row, i))
+            schuler_lane_spec_draw(s, p->scenario->seed, spec);
     }
 }
 
@@ -181,23 +167,9 @@ static schuler_status make_chain(lane_batch_state *b, schuler_instrument instrum
                                  schuler_error *err)
 {
     const schuler_scenario *s = b->plan->scenario;
-    const schuler_triad *triad = &s->imu.triad[instrument];
-    schuler_lane_spec settings = { 0 };
-    bool given[SCHULER_PARAMS_MAX] = { false };
-    fill_settings(triad, &settings);
-    for (int k = 0; triad->params[k].key; k++) given[k] = triad->values[k].given;
-    const bool is_plugin = triad->model_index < 0;
-    const schuler_chain_setup setup = {
-        .model = is_plugin ? triad->model : schuler_sensor_models(b->plan->isa)[triad->model_index],
-        .is_plugin = is_plugin,
-        .instrument = instrument,
-        .isa = b->plan->isa,
-        .dt_s = schuler_truth_dt(b->plan->truth),
-        .seed = s->seed,
-        .settings = &settings,
-        .given = given,
-        .temperature = s->imu.has_temperature ? &s->imu.temperature : NULL,
-    };
+    chain_parts parts;
+    const schuler_chain_setup setup = schuler_chain_setup_of(
+        &s->imu, instrument, b->plan->isa, schuler_truth_dt(b->plan->truth), s->seed, &parts);
     const schuler_status status = schuler_chain_create(&b->chain[instrument], &setup, err);
     if (status == SCHULER_OK) b->needs_nodes |= schuler_chain_needs_nodes(b->chain[instrument]);
     return status;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "scenarios/csv.h"
+#include "scenarios/decimal.h"
 #include <errno.h>
 #include <locale.h>
 #include <math.h>
@@ -155,15 +156,12 @@ void schuler_csv_close(schuler_csv *csv)
     free(csv);
 }
 
-/* strtod also takes hexadecimal, infinities and nan: only plain decimal numbers are data here. */
 static schuler_status read_number(const schuler_csv *csv, int column, double *value,
                                   schuler_error *err)
 {
     const char *text = csv->text + csv->column_at[column];
     const int width = csv->column_width[column];
-    char *end = NULL;
-    if (width > 0 && (int)strspn(text, "0123456789+-.eE") == width)
-        *value = strtod_l(text, &end, csv->c_locale);
+    const char *const end = schuler_decimal_read(text, csv->c_locale, value);
     if (end == text + width && isfinite(*value)) return SCHULER_OK;
     return schuler_csv_refuse(csv, column, err, "'%.*s' is not a %snumber", width < 40 ? width : 40,
                               text, end == text + width ? "finite " : "");

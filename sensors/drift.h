@@ -19,6 +19,7 @@
 
 #include "core/normal.h"
 #include "core/truth.h"
+#include "sensors/drift_integral.h"
 #include "sensors/setup.h"
 #include <assert.h>
 #include <math.h>
@@ -56,19 +57,6 @@ LANES_INLINE void drift_setup_common(bias_drift *d, const schuler_model_setup *s
     d->number = number;
     d->active = setup_any(s, param, 3);
     d->pace = pace;
-}
-
-/* 2x - 3 + 4 e^-x - e^-2x loses all digits for small x: series there. At the switch the first term
- * left out and the rounding of the closed form are both below 1e-12 of the sum. */
-LANES_INLINE double drift_q22(double x)
-{
-    if (x < 2e-2)
-        return x * x * x *
-               (2.0 / 3.0 +
-                x * (-1.0 / 2.0 +
-                     x * (7.0 / 30.0 + x * (-1.0 / 12.0 + x * (31.0 / 1260.0 - x / 160.0)))));
-    const double one_minus_phi = -expm1(-x);
-    return 2.0 * x - one_minus_phi * (2.0 + one_minus_phi);
 }
 
 LANES_INLINE void gauss_markov_setup(bias_drift *d, const schuler_model_setup *s, int param,

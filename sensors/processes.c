@@ -38,8 +38,8 @@ double schuler_process_gauss_markov(double sigma, double T_s, double tau_s)
 
 /* The integral over t has the variance 2 sigma^2 T^2 v(t/T), v(x) = 2x - 3 + (3 + x) e^-x: twice the
  * integral of (x - u)(1 + u) e^-u. An Allan variance is (4 V(tau) - V(2 tau))/(2 tau^2). For small x
- * the closed form cancels down to x^4/2, so the power series is summed:
- * v = sum over n of (-x)^n (3 - n)/n!. */
+ * the closed form cancels down to x^4/2, so the power series is summed: v is the sum of
+ * (-x)^n (3 - n)/n! over n >= 2, of which n = 2 and 3 drop out of the difference. */
 double schuler_process_gauss_markov_2(double sigma, double T_s, double tau_s)
 {
     const double x = tau_s / T_s;
@@ -47,14 +47,12 @@ double schuler_process_gauss_markov_2(double sigma, double T_s, double tau_s)
     if (x > 1.0) {
         sum = 4.0 * x - 9.0 + 4.0 * (3.0 + x) * exp(-x) - (3.0 + 2.0 * x) * exp(-2.0 * x);
     } else {
-        double power = 1.0, two = 1.0;
-        for (int n = 1; n <= 30; n++) { /* (2x)^31/31! is below 1e-24 */
+        double power = -x * x * x / 6.0, two = 8.0;
+        for (int n = 4; n <= 30; n++) { /* (2x)^31/31! is below 1e-24 */
             power *= -x / n;
             two *= 2.0;
             sum += power * (3 - n) * (4.0 - two);
         }
-        /* what n = 1 leaves is cancelled by the constant and linear terms of v */
-        sum -= -x * 2.0 * 2.0;
     }
     return sigma * sigma * sum / (x * x);
 }

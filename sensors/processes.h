@@ -39,6 +39,10 @@ SCHULER_API double schuler_process_sinusoid(double amplitude, double f_hz, doubl
 
 /* ---- Flicker noise as a bank of Gauss-Markov processes ---------------------------------------- */
 
+/* What `bias_instability` has when nothing else is said, s. */
+#define SCHULER_FLICKER_SHORTEST_S 0.1
+#define SCHULER_FLICKER_LONGEST_S  1e5
+
 /* Time constants shortest_s ratio^i, i = 0 .. members - 1, all of the same variance. */
 typedef struct {
     double shortest_s, ratio;

@@ -23,6 +23,7 @@ static const verb verbs[] = {
     { "models", "sensor models, trajectories, frames, gravity: list, show NAME", verb_models },
     { "truth", "write exact increments and the true trajectory of a scenario", verb_truth },
     { "navigate", "navigate over recorded increments, compare with a reference", verb_navigate },
+    { "allan", "noise coefficients and a sensor file from recorded data at rest", verb_allan },
     { "bench", "how fast this machine computes, for each instruction set", verb_bench },
     { "init", "a commented scenario to start from; without a name: what there is", verb_init },
 };

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 enum { BUFFER = 1 << 20 };
@@ -44,12 +45,19 @@ exit_code outfile_open(outfile *o, const char *path)
     return code;
 }
 
+/* An earlier write failed and its errno is gone; most often the disk is full. */
+static int lost_reason(FILE *file)
+{
+    struct statvfs space;
+    return fstatvfs(fileno(file), &space) == 0 && space.f_bavail == 0 ? ENOSPC : EIO;
+}
+
 exit_code outfile_complete(outfile *o)
 {
     if (!o->file) return EXIT_DONE;
     int reason = 0;
     if (fflush(o->file) == EOF) reason = errno;
-    if (!reason && ferror(o->file)) reason = EIO; /* an earlier failure, its errno is gone */
+    if (!reason && ferror(o->file)) reason = lost_reason(o->file);
     if (fclose(o->file) == EOF && !reason) reason = errno;
     o->file = NULL;
     if (reason) {
