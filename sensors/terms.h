@@ -108,4 +108,34 @@ LANES_INLINE void terms_apply(const terms *t, const schuler_model_block *b, int 
     }
 }
 
+/* The functions observe, setup and apply of a model that is nothing but its terms. */
+#define TERMS_MODEL(COUNT, BASES, COEFFICIENTS)                                                    \
+    static void observe(const schuler_model_setup *s, const schuler_view *v, double *signals)      \
+    {                                                                                              \
+        terms_observe(s, v, COUNT, BASES, signals);                                                \
+    }                                                                                              \
+                                                                                                   \
+    static int setup(void *state, const schuler_model_setup *s)                                    \
+    {                                                                                              \
+        (void)terms_setup(state, s, COUNT, COEFFICIENTS);                                          \
+        return 1;                                                                                  \
+    }                                                                                              \
+                                                                                                   \
+    static void apply(void *state, const schuler_model_block *b)                                   \
+    {                                                                                              \
+        terms_apply(state, b, COUNT, 1);                                                           \
+    }
+
+/* The functions setup and apply of a stage that adds its terms to what comes in. */
+#define TERMS_STAGE(COUNT, COEFFICIENTS)                                                           \
+    static int setup(void *state, const schuler_model_setup *s)                                    \
+    {                                                                                              \
+        return terms_setup(state, s, COUNT, COEFFICIENTS);                                         \
+    }                                                                                              \
+                                                                                                   \
+    static void apply(void *state, const schuler_model_block *b)                                   \
+    {                                                                                              \
+        terms_apply(state, b, COUNT, 0);                                                           \
+    }
+
 #endif

@@ -73,4 +73,31 @@ static inline double indicated(indication *x, double i, double p, double o)
     return x->out[0];
 }
 
+/* The mean output of the x instrument over 800 samples at 100 Hz. */
+static inline double indicated_mean(const indication *x, schuler_stand_input input, void *user)
+{
+    static const bool none[SCHULER_PARAMS_MAX];
+    enum { BLOCKS = 25 };
+    const schuler_stand_setup setup = { .chain = { .model = x->model,
+                                                   .is_plugin = true,
+                                                   .isa = SCHULER_ISA_SCALAR,
+                                                   .dt_s = 0.01,
+                                                   .settings = &x->values,
+                                                   .given = none,
+                                                   .instrument = x->instrument },
+                                        .specs = &x->values,
+                                        .specimens = 1,
+                                        .input = input,
+                                        .user = user };
+    schuler_stand *stand = NULL;
+    assert_int_equal(schuler_stand_create(&stand, &setup, NULL), SCHULER_OK);
+    double out[3][SCHULER_BLOCK], sum = 0.0;
+    for (int b = 0; b < BLOCKS; b++) {
+        schuler_stand_next(stand, SCHULER_BLOCK, out[0]);
+        for (int k = 0; k < SCHULER_BLOCK; k++) sum += out[0][k];
+    }
+    schuler_stand_free(stand);
+    return sum / (BLOCKS * SCHULER_BLOCK * 0.01);
+}
+
 #endif

@@ -113,21 +113,7 @@ static double noise_excess(const schuler_model_setup *s, int lane, int axis)
     return gyro_bracket(setup_lane(s, lane, EPSILON_K, axis));
 }
 
-static void observe(const schuler_model_setup *s, const schuler_view *v, double *signals)
-{
-    terms_observe(s, v, TERMS, bases, signals);
-}
-
-static int setup(void *state, const schuler_model_setup *s)
-{
-    (void)terms_setup(state, s, TERMS, coefficients);
-    return 1;
-}
-
-static void apply(void *state, const schuler_model_block *b)
-{
-    terms_apply(state, b, TERMS, 1);
-}
+TERMS_MODEL(TERMS, bases, coefficients)
 
 MODEL(fibre_optic) = {
     .name = "fibre_optic",

@@ -86,21 +86,7 @@ static double noise_excess(const schuler_model_setup *s, int lane, int axis)
     return setup_lane(s, lane, SCALE_FACTOR, axis);
 }
 
-static void observe(const schuler_model_setup *s, const schuler_view *v, double *signals)
-{
-    terms_observe(s, v, TERMS, bases, signals);
-}
-
-static int setup(void *state, const schuler_model_setup *s)
-{
-    (void)terms_setup(state, s, TERMS, coefficients);
-    return 1;
-}
-
-static void apply(void *state, const schuler_model_block *b)
-{
-    terms_apply(state, b, TERMS, 1);
-}
+TERMS_MODEL(TERMS, bases, coefficients)
 
 MODEL(gyro_datasheet) = {
     .name = "gyro_datasheet",

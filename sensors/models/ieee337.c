@@ -23,21 +23,7 @@ static void bases(const schuler_model_setup *s, const term_input *x, double *B)
     B[K_IO] = i * o;
 }
 
-static void observe(const schuler_model_setup *s, const schuler_view *v, double *signals)
-{
-    terms_observe(s, v, TERMS, bases, signals);
-}
-
-static int setup(void *state, const schuler_model_setup *s)
-{
-    (void)terms_setup(state, s, TERMS, NULL);
-    return 1;
-}
-
-static void apply(void *state, const schuler_model_block *b)
-{
-    terms_apply(state, b, TERMS, 1);
-}
+TERMS_MODEL(TERMS, bases, NULL)
 
 MODEL(ieee337) = {
     .name = "ieee337",

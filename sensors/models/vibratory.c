@@ -95,21 +95,7 @@ static void coefficients(const schuler_model_setup *s, term_values v, int axis, 
     gyro_own_axes(&v[ANGULAR][3 * axis], axis, &c[TURN]);
 }
 
-static void observe(const schuler_model_setup *s, const schuler_view *v, double *signals)
-{
-    terms_observe(s, v, TERMS, bases, signals);
-}
-
-static int setup(void *state, const schuler_model_setup *s)
-{
-    (void)terms_setup(state, s, TERMS, coefficients);
-    return 1;
-}
-
-static void apply(void *state, const schuler_model_block *b)
-{
-    terms_apply(state, b, TERMS, 1);
-}
+TERMS_MODEL(TERMS, bases, coefficients)
 
 MODEL(vibratory) = {
     .name = "vibratory",

@@ -59,15 +59,7 @@ static void coefficients(const schuler_model_setup *s, term_values v, int axis, 
     for (int j = 0; j < 3; j++) c[j] = v[LEVER][j] + v[SIZE][3 * axis + j];
 }
 
-static int setup(void *state, const schuler_model_setup *s)
-{
-    return terms_setup(state, s, SIGNALS, coefficients);
-}
-
-static void apply(void *state, const schuler_model_block *b)
-{
-    terms_apply(state, b, SIGNALS, 0);
-}
+TERMS_STAGE(SIGNALS, coefficients)
 
 STAGE(lever_arm) = {
     .name = "lever_arm",

@@ -26,15 +26,7 @@ static void observe(const schuler_model_setup *settings, const schuler_view *v, 
         for (int k = 0; k < v->n; k++) signals[axis * SCHULER_BLOCK + k] = v->dt_s;
 }
 
-static int setup(void *state, const schuler_model_setup *s)
-{
-    return terms_setup(state, s, 1, NULL);
-}
-
-static void apply(void *state, const schuler_model_block *b)
-{
-    terms_apply(state, b, 1, 0);
-}
+TERMS_STAGE(1, NULL)
 
 STAGE(repeatability) = {
     .name = "repeatability",

@@ -61,15 +61,7 @@ static void observe(const schuler_model_setup *s, const schuler_view *v, double 
     terms_observe(s, v, TERMS, bases, signals);
 }
 
-static int setup(void *state, const schuler_model_setup *s)
-{
-    return terms_setup(state, s, TERMS, NULL);
-}
-
-static void apply(void *state, const schuler_model_block *b)
-{
-    terms_apply(state, b, TERMS, 0);
-}
+TERMS_STAGE(TERMS, NULL)
 
 STAGE(temperature) = {
     .name = "temperature",

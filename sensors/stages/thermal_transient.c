@@ -32,15 +32,7 @@ static void observe(const schuler_model_setup *s, const schuler_view *v, double 
     }
 }
 
-static int setup(void *state, const schuler_model_setup *s)
-{
-    return terms_setup(state, s, 1, NULL);
-}
-
-static void apply(void *state, const schuler_model_block *b)
-{
-    terms_apply(state, b, 1, 0);
-}
+TERMS_STAGE(1, NULL)
 
 STAGE(thermal_transient) = {
     .name = "thermal_transient",

@@ -270,28 +270,7 @@ static void shake(void *user, double t_s, double f[3], double omega[3])
 
 static double mean_shaken(const indication *x, shaking s)
 {
-    static const bool none[SCHULER_PARAMS_MAX];
-    enum { BLOCKS = 25 }; /* 800 samples at 100 Hz: 160 whole periods of 20 Hz */
-    const schuler_stand_setup setup = { .chain = { .model = x->model,
-                                                   .is_plugin = true,
-                                                   .isa = SCHULER_ISA_SCALAR,
-                                                   .dt_s = 0.01,
-                                                   .settings = &x->values,
-                                                   .given = none,
-                                                   .instrument = SCHULER_ACCEL },
-                                        .specs = &x->values,
-                                        .specimens = 1,
-                                        .input = shake,
-                                        .user = &s };
-    schuler_stand *stand = NULL;
-    assert_int_equal(schuler_stand_create(&stand, &setup, NULL), SCHULER_OK);
-    double out[3][SCHULER_BLOCK], sum = 0.0;
-    for (int b = 0; b < BLOCKS; b++) {
-        schuler_stand_next(stand, SCHULER_BLOCK, out[0]);
-        for (int k = 0; k < SCHULER_BLOCK; k++) sum += out[0][k];
-    }
-    schuler_stand_free(stand);
-    return sum / (BLOCKS * SCHULER_BLOCK * 0.01);
+    return indicated_mean(x, shake, &s);
 }
 
 /* A step of 10 ms holds a fifth of a period. The integral of sin^2 over whole periods by three nodes in

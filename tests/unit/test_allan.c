@@ -115,7 +115,7 @@ static void the_grid_has_ten_to_a_decade_and_ends_at_a_third(void **state)
     assert_int_equal(schuler_allan_factors(3, 10, m, SCHULER_ALLAN_POINTS_MAX), 1);
     const int count = schuler_allan_factors(8640000, 10, m, SCHULER_ALLAN_POINTS_MAX);
     assert_int_equal(m[0], 1);
-    assert_true(m[count - 1] <= 2880000 && m[count - 1] > 2880000 / 1.26);
+    assert_true(m[count - 1] <= 2880000 && (double)m[count - 1] > 2880000 / 1.26);
     for (int i = 1; i < count; i++) assert_true(m[i] > m[i - 1]);
     for (int i = 20; i < count; i++) CHECK_REL((double)m[i], (double)m[i - 10] * 10.0, 0.03);
     assert_int_equal(schuler_allan_factors(8640000, 10, m, 5), 5);
