@@ -12,9 +12,9 @@ set(SCHULER_PUBLIC_HEADERS
   scenarios/bench.h scenarios/csv.h scenarios/digits.h scenarios/identify.h scenarios/gallery.h
   scenarios/metrics.h scenarios/navigate.h scenarios/recording.h scenarios/scenario.h scenarios/simulation.h
   scenarios/source_count.h scenarios/trajectory_file.h
-  sensors/allan.h sensors/allan_fit.h sensors/catalog.h sensors/chain.h sensors/chi_square.h sensors/drift.h sensors/drift_integral.h sensors/model.h sensors/response.h sensors/mounting.h sensors/optics.h sensors/params.h sensors/pendulum.h
+  sensors/allan.h sensors/allan_fit.h sensors/catalog.h sensors/chain.h sensors/chi_square.h sensors/markov.h sensors/markov_filter.h sensors/markov_integral.h sensors/model.h sensors/response.h sensors/mounting.h sensors/optics.h sensors/params.h sensors/pendulum.h
   sensors/plugin.h sensors/plugins.h sensors/processes.h sensors/quantizer.h sensors/setup.h sensors/spectrum.h sensors/stand.h sensors/temperature.h
-  sensors/terms.h sensors/white.h)
+  sensors/terms.h sensors/walk.h sensors/white.h)
 
 install(TARGETS schuler EXPORT schuler-targets)
 foreach(header IN LISTS SCHULER_PUBLIC_HEADERS)

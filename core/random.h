@@ -21,7 +21,7 @@ SCHULER_BEGIN_C
 typedef enum {
     SCHULER_USE_DRAW = 0,  /* values drawn once per run                     */
     SCHULER_USE_WHITE = 1, /* white noise at the full rate                  */
-    SCHULER_USE_SLOW = 2,  /* drives of slow processes, two per slow step   */
+    SCHULER_USE_SLOW = 2,  /* drives of processes that have a memory        */
     SCHULER_USE_START = 3, /* stationary start of a process                 */
 } schuler_use;
 

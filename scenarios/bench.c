@@ -104,10 +104,10 @@ static schuler_scenario sensors_for(const schuler_scenario *base, int kind,
             set(&s, instrument, "misalignment", 3e-5);
         }
         if (kind != BENCH_QUIET) set(&s, instrument, walk, i == SCHULER_ACCEL ? 1.5e-5 : 5.8e-7);
-        /* So short a correlation time that the drives are needed at every step. */
         if (kind == BENCH_DRIFTING) {
             set(&s, instrument, "gauss_markov", i == SCHULER_ACCEL ? 1e-4 : 1e-8);
-            set(&s, instrument, "gauss_markov_time", 1.0 / s.imu.rate_hz);
+            set(&s, instrument, "gauss_markov_time", 100.0);
+            set(&s, instrument, "bias_random_walk", 1e-3 * bias[i]);
         }
     }
     return s;

@@ -26,9 +26,12 @@ static double ramp_up(double x)
 static double flicker(const schuler_flicker_bank *bank, double t)
 {
     if (bank->members == 0) return t > 0.0 ? t * t * log(t) / (2.0 * SCHULER_PI) : 0.0;
-    double sum = 0.0, T = bank->shortest_s;
-    for (int i = 0; i < bank->members; i++, T *= bank->ratio) sum -= T * T * ramp_up(t / T);
-    return sum * log(bank->ratio) / SCHULER_PI;
+    double sum = 0.0;
+    for (int i = 0; i < bank->members; i++) {
+        const schuler_markov_process p = schuler_flicker_bank_member(bank, 1.0, i);
+        sum -= p.sigma * p.sigma * p.T_s * p.T_s * ramp_up(t / p.T_s);
+    }
+    return sum;
 }
 
 /* Second and fourth derivative. */
@@ -40,13 +43,12 @@ static void flicker_derivatives(const schuler_flicker_bank *bank, double t, doub
         return;
     }
     d[0] = d[1] = 0.0;
-    double T = bank->shortest_s;
-    for (int i = 0; i < bank->members; i++, T *= bank->ratio) {
-        const double x = t / T, e = x < 40.0 ? exp(-x) : 0.0;
+    for (int i = 0; i < bank->members; i++) {
+        const schuler_markov_process p = schuler_flicker_bank_member(bank, 1.0, i);
+        const double x = t / p.T_s, e = x < 40.0 ? p.sigma * p.sigma * exp(-x) : 0.0;
         d[0] -= e;
-        d[1] -= e / (T * T);
+        d[1] -= e / (p.T_s * p.T_s);
     }
-    for (int i = 0; i < 2; i++) d[i] *= log(bank->ratio) / SCHULER_PI;
 }
 
 /* G(t + h) - 2 G(t) + G(t - h) of white noise, flicker, random walk. Far from 0 the difference of

@@ -1,17 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /* Second-order Gauss-Markov process, critically damped: b'' + 2 beta b' + beta^2 b = white, beta = 1/T,
- * correlation sigma^2 exp(-beta |t|) (1 + beta |t|). Bias, its rate and its integral over a slow step
- * D (drift.h) follow exactly
+ * correlation sigma^2 exp(-beta |t|) (1 + beta |t|). Bias, its rate and its integral over a sample
+ * dt follow exactly
  *
  *     (b, b')_2 = Phi (b, b')_1 + ...,   I = gain . (b, b')_1 + ...,   drives = L w, three numbers
  *
- * L the Cholesky factor of the covariance q_ij = 4 beta^3 sigma^2 integral over D of h_i h_j, with the
+ * L the Cholesky factor of the covariance q_ij = 4 beta^3 sigma^2 integral over dt of h_i h_j, with the
  * impulse responses h_b = s e^-u, h_b' = (1 - u) e^-u, h_I = (1 - e^-u (1 + u))/beta^2, u = beta s.
  * Source: A. Gelb (ed.), Applied Optimal Estimation, ch. 2 (second-order Markov process). */
 #ifndef SCHULER_SENSORS_GAUSS_MARKOV_2_H
 #define SCHULER_SENSORS_GAUSS_MARKOV_2_H
 
-#include "sensors/drift.h"
+#include "core/normal.h"
+#include "core/truth.h"
+#include "sensors/setup.h"
+#include <math.h>
 
 /* In units of sigma and T: time in T, rate in sigma/T. */
 typedef struct {
@@ -25,7 +28,7 @@ typedef struct {
     lanes_u64 run;
     uint64_t seed;
     unsigned number;
-    int pace, active;
+    int active;
 } gauss_markov_2;
 
 /* 1 - e^-u (1 + u), all digits for small u: u^2/2 - u^3/3 + u^4/8 - ... */
@@ -41,7 +44,7 @@ LANES_INLINE double markov_2_integral(double u)
     return sum;
 }
 
-/* Covariance of the drives over a step of x = D/T, by Gauss-Legendre on pieces no longer than T; after
+/* Covariance of the drives over a step of x = dt/T, by Gauss-Legendre on pieces no longer than T; after
  * 50 T nothing but the integral's limit is left. */
 LANES_INLINE void markov_2_covariance(double x, double q[3][3])
 {
@@ -88,16 +91,13 @@ LANES_INLINE gauss_markov_2_step gauss_markov_2_step_of(double x)
 LANES_INLINE void gauss_markov_2_setup(gauss_markov_2 *m, const schuler_model_setup *s, int param,
                                        int time_param, unsigned number)
 {
-    double shortest_s = INFINITY;
-    for (int i = 0; i < 3; i++) shortest_s = fmin(shortest_s, setup_setting(s, time_param, i));
-    m->pace = drift_pace(s->dt_s, shortest_s);
     m->run = setup_runs(s);
     m->seed = s->seed;
     m->number = number;
     m->active = setup_any(s, param, 3);
     for (int i = 0; i < 3; i++) {
         const double T = setup_setting(s, time_param, i);
-        m->step[i] = gauss_markov_2_step_of(m->pace * s->dt_s / T);
+        m->step[i] = gauss_markov_2_step_of(s->dt_s / T);
         m->sigma[i] = setup_value(s, param, i) * lanes_set(T);
         lanes start[4];
         lanes_normals(m->seed, m->run, stream_counter(number, (unsigned)i, SCHULER_USE_START), 0, 1,
@@ -107,29 +107,24 @@ LANES_INLINE void gauss_markov_2_setup(gauss_markov_2 *m, const schuler_model_se
     }
 }
 
-/* Numbers 4j .. 4j+3 of the stream of an axis belong to slow step j; the last one is not used. */
+/* Numbers 4k .. 4k+3 of the stream of an axis belong to step k; the last one is not used. */
 LANES_INLINE void gauss_markov_2_add(gauss_markov_2 *m, const schuler_model_block *b)
 {
-    const int slow = (b->n + m->pace - 1) / m->pace;
-    const uint64_t first = (uint64_t)b->first / (uint64_t)m->pace;
     for (int i = 0; i < 3; i++) {
         double *const out = b->out + i * b->stride * SCHULER_LANES;
         const gauss_markov_2_step *const p = &m->step[i];
-        const lanes scale = m->sigma[i] * lanes_set(1.0 / m->pace);
         lanes x = m->b[i], v = m->b_dot[i];
-        for (int j = 0; j < slow; j++) {
+        for (int k = 0; k < b->n; k++) {
             lanes w[4];
             lanes_normals(m->seed, m->run, stream_counter(m->number, (unsigned)i, SCHULER_USE_SLOW),
-                          first + (uint64_t)j, 1, w);
-            const lanes each =
-                scale * (p->gain[0] * x + p->gain[1] * v +
-                         (p->l[2][0] * w[0] + p->l[2][1] * w[1] + p->l[2][2] * w[2]));
+                          (uint64_t)(b->first + k), 1, w);
+            const lanes I = p->gain[0] * x + p->gain[1] * v +
+                            (p->l[2][0] * w[0] + p->l[2][1] * w[1] + p->l[2][2] * w[2]);
             const lanes next = p->phi[0][0] * x + p->phi[0][1] * v + p->l[0][0] * w[0];
             v = p->phi[1][0] * x + p->phi[1][1] * v + (p->l[1][0] * w[0] + p->l[1][1] * w[1]);
             x = next;
-            const int end = (j + 1) * m->pace < b->n ? (j + 1) * m->pace : b->n;
-            for (int k = j * m->pace; k < end; k++)
-                lanes_store(out + k * SCHULER_LANES, lanes_load(out + k * SCHULER_LANES) + each);
+            lanes_store(out + k * SCHULER_LANES,
+                        lanes_load(out + k * SCHULER_LANES) + m->sigma[i] * I);
         }
         m->b[i] = x;
         m->b_dot[i] = v;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "sensors/processes.h"
 #include "core/earth.h"
-#include "sensors/drift_integral.h"
+#include "sensors/markov_integral.h"
 #include <math.h>
 
 double schuler_process_quantization(double Q, double tau_s)
@@ -33,7 +33,7 @@ double schuler_process_ramp(double R, double tau_s)
 double schuler_process_gauss_markov(double sigma, double T_s, double tau_s)
 {
     const double x = tau_s / T_s;
-    return sigma * sigma * drift_q22(x) / (x * x);
+    return sigma * sigma * markov_q22(x) / (x * x);
 }
 
 /* The integral over t has the variance 2 sigma^2 T^2 v(t/T), v(x) = 2x - 3 + (3 + x) e^-x: twice the
@@ -67,12 +67,23 @@ double schuler_process_sinusoid(double amplitude, double f_hz, double tau_s)
 
 schuler_flicker_bank schuler_flicker_bank_of(double shortest_s, double longest_s, double dt_s)
 {
-    enum { MEMBERS_MAX = 24 };
-    schuler_flicker_bank bank = { fmax(shortest_s, 10.0 * dt_s), 4.0, 0 };
+    const double least = dt_s / 16.0;
+    schuler_flicker_bank bank = { fmax(shortest_s, least), 4.0, 0, shortest_s < least };
     const double last = fmax(longest_s, bank.shortest_s) * 1.0000001;
-    for (double T = bank.shortest_s; T <= last && bank.members < MEMBERS_MAX; T *= bank.ratio)
+    for (double T = bank.shortest_s; T <= last && bank.members < SCHULER_MARKOV_MAX;
+         T *= bank.ratio)
         bank.members++;
     return bank;
+}
+
+schuler_markov_process schuler_flicker_bank_member(const schuler_flicker_bank *bank, double B,
+                                                   int i)
+{
+    const double r = bank->ratio, sigma = B * schuler_flicker_bank_sigma(r);
+    double T = bank->shortest_s;
+    for (int k = 0; k < i; k++) T *= r;
+    if (i > 0 || !bank->endless) return (schuler_markov_process){ T, sigma };
+    return (schuler_markov_process){ T * r / (r + 1.0), sigma * sqrt((r + 1.0) / (r - 1.0)) };
 }
 
 double schuler_flicker_bank_sigma(double ratio)
@@ -82,10 +93,11 @@ double schuler_flicker_bank_sigma(double ratio)
 
 double schuler_process_flicker_bank(const schuler_flicker_bank *bank, double B, double tau_s)
 {
-    const double sigma = B * schuler_flicker_bank_sigma(bank->ratio);
-    double sum = 0.0, T = bank->shortest_s;
-    for (int i = 0; i < bank->members; i++, T *= bank->ratio)
-        sum += schuler_process_gauss_markov(sigma, T, tau_s);
+    double sum = 0.0;
+    for (int i = 0; i < bank->members; i++) {
+        const schuler_markov_process p = schuler_flicker_bank_member(bank, B, i);
+        sum += schuler_process_gauss_markov(p.sigma, p.T_s, tau_s);
+    }
     return sum;
 }
 
@@ -95,7 +107,7 @@ schuler_process_step schuler_gauss_markov_step(double sigma, double T_s, double 
     schuler_process_step s = { .phi = exp(-x), .gain = T_s * one_minus_phi };
     s.q11 = variance * -expm1(-2.0 * x);
     s.q12 = variance * T_s * one_minus_phi * one_minus_phi;
-    s.q22 = variance * T_s * T_s * drift_q22(x);
+    s.q22 = variance * T_s * T_s * markov_q22(x);
     s.l11 = sqrt(s.q11);
     s.l21 = s.l11 > 0.0 ? s.q12 / s.l11 : 0.0;
     s.l22 = sqrt(fmax(0.0, s.q22 - s.l21 * s.l21));

@@ -10,6 +10,7 @@
 #define SCHULER_SENSORS_PROCESSES_H
 
 #include "core/api.h"
+#include "sensors/markov_filter.h"
 #include <stddef.h>
 
 SCHULER_BEGIN_C
@@ -39,20 +40,26 @@ SCHULER_API double schuler_process_sinusoid(double amplitude, double f_hz, doubl
 
 /* ---- Flicker noise as a bank of Gauss-Markov processes ---------------------------------------- */
 
-/* What `bias_instability` has when nothing else is said, s. */
-#define SCHULER_FLICKER_SHORTEST_S 0.1
+/* What `bias_instability` has when nothing else is said: flicker at every time that samples see. */
+#define SCHULER_FLICKER_SHORTEST_S 0.0
 #define SCHULER_FLICKER_LONGEST_S  1e5
 
 /* Time constants shortest_s ratio^i, i = 0 .. members - 1, all of the same variance. */
 typedef struct {
     double shortest_s, ratio;
     int members;
+    int endless; /* the first member stands for itself and for all shorter ones, without end */
 } schuler_flicker_bank;
 
 /** The bank that the simulator uses for `bias_instability` at an interval of the samples: ratio 4,
- *  from the shortest time (but ten samples at least) to the longest. */
+ *  from the shortest time to the longest. Below dt/16 the bank is endless: there are members of
+ *  every shorter time, as far as increments can tell. */
 SCHULER_API schuler_flicker_bank schuler_flicker_bank_of(double shortest_s, double longest_s,
                                                          double dt_s);
+/** Member i for the coefficient B. The one that stands for an endless tail of times T/r^k has the
+ *  tail's sums of sigma^2 T and of sigma^2 T^2: over ten T and more nothing else is left of it. */
+SCHULER_API schuler_markov_process schuler_flicker_bank_member(const schuler_flicker_bank *bank,
+                                                               double B, int i);
 /** sigma_i/B = sqrt(ln(ratio)/pi). */
 SCHULER_API double schuler_flicker_bank_sigma(double ratio);
 /** Allan variance of the bank for the coefficient B. */

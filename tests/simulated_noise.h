@@ -43,18 +43,17 @@ typedef struct {
 static inline void noise_simulate(const noise_coefficients *c, uint64_t seed, int64_t n,
                                   double *out)
 {
-    enum { MEMBERS = 24 };
     noise_source s = { .state = seed * 7919 + 13 };
     const double dt_s = c->dt_s;
     const schuler_flicker_bank bank =
         schuler_flicker_bank_of(SCHULER_FLICKER_SHORTEST_S, SCHULER_FLICKER_LONGEST_S, dt_s);
-    const double sigma = c->B * schuler_flicker_bank_sigma(bank.ratio);
     const schuler_process_step walk = schuler_random_walk_step(c->K, dt_s);
-    schuler_process_step step[MEMBERS];
-    double member[MEMBERS], walked = 0.0, T_s = bank.shortest_s, before = noise_normal(&s);
-    for (int i = 0; i < bank.members; i++, T_s *= bank.ratio) {
-        step[i] = schuler_gauss_markov_step(sigma, T_s, dt_s);
-        member[i] = sigma * noise_normal(&s);
+    schuler_process_step step[SCHULER_MARKOV_MAX];
+    double member[SCHULER_MARKOV_MAX], walked = 0.0, before = noise_normal(&s);
+    for (int i = 0; i < bank.members; i++) {
+        const schuler_markov_process p = schuler_flicker_bank_member(&bank, c->B, i);
+        step[i] = schuler_gauss_markov_step(p.sigma, p.T_s, dt_s);
+        member[i] = p.sigma * noise_normal(&s);
     }
     for (int64_t k = 0; k < n; k++) {
         double sum = c->R * ((double)k + 0.5) * dt_s * dt_s;

@@ -8,7 +8,7 @@ enum { SIGMA, TIME };
 #define PARAMS(NUMBER, DIM_, MAX, EXAMPLE, DOC)                                                    \
     {                                                                                              \
         [SIGMA] = PARAM_SOURCE("gauss_markov_2", NUMBER, DIM_, 0, MAX, WANDERING, EXAMPLE, DOC,    \
-                               "b'' + 2 b'/T + b/T^2 = 2 sigma T^-1.5 w", .noisy = 4,              \
+                               "b'' + 2 b'/T + b/T^2 = 2 sigma T^-1.5 w", .noisy = 3,              \
                                .companion = "gauss_markov_2_time"),                                \
         [TIME] = PARAM_SETTING("gauss_markov_2_time", TIME, 100.0, 1e-3, 1e9, "100 s",             \
                                "time T of gauss_markov_2; correlated over about 2 T",              \
@@ -39,7 +39,7 @@ static void apply(void *state, const schuler_model_block *b)
 
 STAGE(gauss_markov_2) = {
     .name = "gauss_markov_2",
-    .summary = "second-order Gauss-Markov process, exact in its integral",
+    .summary = "second-order Gauss-Markov process, exact in its increments",
     .source = "A. Gelb (ed.), Applied Optimal Estimation, ch. 2",
     .equation = "correlation sigma^2 exp(-|t|/T) (1 + |t|/T)",
     .params = { [SCHULER_ACCEL] = accel_params, [SCHULER_GYRO] = gyro_params },

@@ -1,41 +1,40 @@
 /* SPDX-License-Identifier: MIT */
-/* A bias that wanders without limit: sensors/drift.h. */
-#include "sensors/drift.h"
+/* A bias that wanders without limit: sensors/walk.h. */
 #include "sensors/params.h"
+#include "sensors/walk.h"
 
 #define FORMULA "db/dt = K w"
 
 static const schuler_param accel_params[] = {
     PARAM_SOURCE("bias_random_walk", 105, ACCEL_RW, 0, 1e3, WALK, "1 ug/sqrt(h)",
-                 "bias that wanders without limit, its coefficient K", FORMULA, .noisy = 2),
+                 "bias that wanders without limit, its coefficient K", FORMULA, .noisy = 1),
     { 0 },
 };
 
 static const schuler_param gyro_params[] = {
     PARAM_SOURCE("bias_random_walk", 205, RRW, 0, 1e2, WALK, "0.001 deg/h/sqrt(h)",
-                 "drift that wanders without limit (rate random walk), K", FORMULA, .noisy = 2),
+                 "drift that wanders without limit (rate random walk), K", FORMULA, .noisy = 1),
     { 0 },
 };
 
 static int setup(void *state, const schuler_model_setup *s)
 {
-    bias_drift *d = state;
-    random_walk_setup(d, s, 0,
-                      (s->instrument == SCHULER_ACCEL ? accel_params : gyro_params)[0].number);
-    return d->active;
+    random_walk *w = state;
+    walk_setup(w, s, 0, (s->instrument == SCHULER_ACCEL ? accel_params : gyro_params)[0].number);
+    return w->active;
 }
 
 static void apply(void *state, const schuler_model_block *b)
 {
-    drift_add(state, b);
+    walk_add(state, b);
 }
 
 STAGE(random_walk) = {
     .name = "random_walk",
-    .summary = "random walk of the bias",
+    .summary = "random walk of the bias, exact in its increments",
     .source = "IEEE Std 952-1997 annex C (rate random walk)",
     .params = { [SCHULER_ACCEL] = accel_params, [SCHULER_GYRO] = gyro_params },
-    .state_size = sizeof(bias_drift),
+    .state_size = sizeof(random_walk),
     .setup = setup,
     .apply = apply,
 };

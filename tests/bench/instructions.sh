@@ -22,6 +22,6 @@ scalar 0 1045
 sse2 0 590
 avx2 0 242
 avx2 6 361
-avx2 18 630
+avx2 18 640
 LIMITS
 exit $failures

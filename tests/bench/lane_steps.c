@@ -70,12 +70,14 @@ static void make_chain(work *w, schuler_instrument i, int normals, schuler_lane_
     bool given[SCHULER_PARAMS_MAX] = { false };
     if (schuler_chain_params(linear(w->isa), i, params) < 0) exit(3);
     give(params, "bias", 1e-4, spec, given);
-    /* So short that the drives are needed at every step. */
-    give(params, "gauss_markov_time", 0.01, spec, given);
     if (normals >= 6)
         give(params, i == SCHULER_ACCEL ? "velocity_random_walk" : "angle_random_walk", 1e-5, spec,
              given);
-    if (normals >= 18) give(params, "gauss_markov", 1e-5, spec, given);
+    if (normals >= 18) {
+        give(params, "gauss_markov", 1e-5, spec, given);
+        give(params, "gauss_markov_time", 100.0, spec, given);
+        give(params, "bias_random_walk", 1e-7, spec, given);
+    }
     const schuler_chain_setup setup = { .model = linear(w->isa),
                                         .instrument = i,
                                         .isa = w->isa,

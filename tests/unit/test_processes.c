@@ -118,7 +118,7 @@ static void the_flicker_bank_keeps_to_the_floor(void **state) /* C6, C6b, C6c */
     CHECK_REL(schuler_flicker_bank_sigma(sqrt(10.0)), 0.60536583933991, 1e-13);
     CHECK_REL(schuler_flicker_bank_sigma(4.0), 0.66428247026796, 1e-13);
     CHECK_REL(schuler_flicker_bank_sigma(2.0), 0.469718639349826, 1e-13);
-    const schuler_flicker_bank seven = { 0.1, 10.0, 7 }, thirteen = { 0.1, sqrt(10.0), 13 };
+    const schuler_flicker_bank seven = { 0.1, 10.0, 7, 0 }, thirteen = { 0.1, sqrt(10.0), 13, 0 };
     double tau_s = 1.0;
     for (int i = 0; i < 5; i++, tau_s *= 10.0) {
         CHECK_NEAR(sqrt(schuler_process_flicker_bank(&seven, 1, tau_s)) / SCHULER_FLICKER_FLOOR,
@@ -128,15 +128,46 @@ static void the_flicker_bank_keeps_to_the_floor(void **state) /* C6, C6b, C6c */
     }
 }
 
-static void the_bank_of_the_simulator_starts_ten_samples_long(void **state)
+static void the_bank_of_the_simulator_ends_where_it_is_told(void **state)
 {
     (void)state;
-    const schuler_flicker_bank fast = schuler_flicker_bank_of(0.1, 1e5, 0.001);
-    CHECK_NEAR(fast.shortest_s, 0.1, 0.0);
-    assert_int_equal(fast.members, 10); /* 0.1 s 4^9 = 26214 s */
-    CHECK_NEAR(schuler_flicker_bank_of(0.1, 1e5, 0.1).shortest_s, 1.0, 0.0);
+    const schuler_flicker_bank told = schuler_flicker_bank_of(0.1, 1e5, 0.001);
+    CHECK_NEAR(told.shortest_s, 0.1, 0.0);
+    assert_int_equal(told.members, 10); /* 0.1 s 4^9 = 26214 s */
+    assert_false(told.endless);
+    const schuler_flicker_bank free = schuler_flicker_bank_of(0.0, 1e5, 0.016);
+    CHECK_NEAR(free.shortest_s, 0.001, 1e-18);
+    assert_int_equal(free.members, 14); /* 0.001 s 4^13 = 67109 s */
+    assert_true(free.endless);
     assert_int_equal(schuler_flicker_bank_of(0.1, 0.01, 0.001).members, 1);
-    assert_int_equal(schuler_flicker_bank_of(1e-9, 1e300, 1e-30).members, 24);
+    assert_int_equal(schuler_flicker_bank_of(1e-9, 1e300, 1e-30).members, SCHULER_MARKOV_MAX);
+}
+
+/* One member for an endless tail: the tail itself, summed term by term. At ten times the member's time
+ * e^-x is below 1e-8 of it. */
+static void one_member_stands_for_all_shorter_ones(void **state)
+{
+    (void)state;
+    const schuler_flicker_bank bank = schuler_flicker_bank_of(0.0, 1e5, 16.0);
+    const schuler_markov_process first = schuler_flicker_bank_member(&bank, 1.0, 0);
+    const double sigma = schuler_flicker_bank_sigma(bank.ratio);
+    for (double tau_s = 16.0; tau_s < 1e5; tau_s *= 3.0) {
+        double tail = 0.0;
+        for (double T_s = bank.shortest_s; T_s > 1e-14; T_s /= bank.ratio)
+            tail += schuler_process_gauss_markov(sigma, T_s, tau_s);
+        CHECK_REL(schuler_process_gauss_markov(first.sigma, first.T_s, tau_s), tail, 1e-7);
+    }
+}
+
+/* An endless bank has the floor at every time from the sample to a hundredth of its longest member, but
+ * for its ripple of 0.024 % and 0.2 % of what is missing beyond the end. */
+static void an_endless_bank_is_flat_down_to_the_sample(void **state)
+{
+    (void)state;
+    const schuler_flicker_bank bank = schuler_flicker_bank_of(0.0, 1e5, 0.01);
+    for (double tau_s = 0.01; tau_s < 100.0; tau_s *= 1.5)
+        CHECK_NEAR(sqrt(schuler_process_flicker_bank(&bank, 1.0, tau_s)) / SCHULER_FLICKER_FLOOR,
+                   1.0, 2.4e-4 + 2e-3 * tau_s / 100.0);
 }
 
 static void fractional_weights_are_known(void **state) /* C7 */
@@ -216,7 +247,9 @@ int main(void)
         cmocka_unit_test(a_second_order_gauss_markov_process_has_its_correlation),
         cmocka_unit_test(recursions_have_their_covariances),
         cmocka_unit_test(the_flicker_bank_keeps_to_the_floor),
-        cmocka_unit_test(the_bank_of_the_simulator_starts_ten_samples_long),
+        cmocka_unit_test(the_bank_of_the_simulator_ends_where_it_is_told),
+        cmocka_unit_test(one_member_stands_for_all_shorter_ones),
+        cmocka_unit_test(an_endless_bank_is_flat_down_to_the_sample),
         cmocka_unit_test(fractional_weights_are_known),
         cmocka_unit_test(a_sinusoid_peaks_at_a_third_of_its_period),
         cmocka_unit_test(chi_square_quantiles_are_right),

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The one function of the Gauss-Markov process that loses its digits, for lane code and all other. */
-#ifndef SCHULER_SENSORS_DRIFT_INTEGRAL_H
-#define SCHULER_SENSORS_DRIFT_INTEGRAL_H
+#ifndef SCHULER_SENSORS_MARKOV_INTEGRAL_H
+#define SCHULER_SENSORS_MARKOV_INTEGRAL_H
 
 #include <math.h>
 
@@ -9,7 +9,7 @@
  * sigma^2 T^2. Divided by x^2 it is the Allan variance over D in units of sigma^2. The closed form
  * loses all digits for small x: series there. At the switch the first term left out and the rounding
  * of the closed form are both below 1e-12 of the sum. */
-static inline double drift_q22(double x)
+static inline double markov_q22(double x)
 {
     if (x < 2e-2)
         return x * x * x *
