@@ -10,30 +10,40 @@ static bool listed(const schuler_text_list *list, const char *id, const char *gr
     return false;
 }
 
-bool schuler_source_selected(const schuler_scenario *s, const char *id, const char *group)
+static bool selected(const schuler_text_list *only, const schuler_text_list *without,
+                     const char *id, const char *group)
 {
-    if (s->only.count > 0 && !listed(&s->only, id, group)) return false;
-    return !listed(&s->without, id, group);
+    if (only->count > 0 && !listed(only, id, group)) return false;
+    return !listed(without, id, group);
 }
 
-static int add(const schuler_scenario *s, error_source *out, int count, error_source source,
-               const char *key)
+bool schuler_source_selected(const schuler_scenario *s, const char *id, const char *group)
+{
+    return selected(&s->only, &s->without, id, group);
+}
+
+/* The list so far, and who may get in. */
+typedef struct {
+    const schuler_text_list *only, *without;
+    error_source *out;
+    int count;
+} source_list;
+
+static void add(source_list *l, error_source source, const char *key)
 {
     snprintf(source.id, sizeof(source.id), "%s.%s", source.group, key);
     if (source.value &&
         (!source.value->given || schuler_value_is_zero(source.value, source.components)))
-        return count;
-    if (!schuler_source_selected(s, source.id, source.group)) return count;
+        return;
+    if (!selected(l->only, l->without, source.id, source.group)) return;
     if (source.value && source.value->draw != SCHULER_DRAW_FIXED) source.drawn = true;
-    out[count] = source;
-    return count + 1;
+    l->out[l->count++] = source;
 }
 
-static int add_triad(const schuler_scenario *s, schuler_instrument instrument, error_source *out,
-                     int count)
+static void add_triad(source_list *l, const schuler_imu *imu, schuler_instrument instrument)
 {
-    const schuler_triad *triad = &s->imu.triad[instrument];
-    if (!triad->model) return count;
+    const schuler_triad *triad = &imu->triad[instrument];
+    if (!triad->model) return;
     const schuler_param *params = triad->params;
     for (int p = 0; params && params[p].key; p++) {
         if (params[p].number == 0) continue;
@@ -43,15 +53,23 @@ static int add_triad(const schuler_scenario *s, schuler_instrument instrument, e
             .param = p,
             .number = params[p].number,
             .components = params[p].components,
-            .unit = s->imu.unit,
+            .unit = imu->unit,
             .value = &triad->values[p],
             .drawn = params[p].noisy != 0,
             .normals = 3 * params[p].noisy,
         };
         snprintf(source.group, sizeof(source.group), "%s", schuler_instrument_name(instrument));
-        count = add(s, out, count, source, params[p].key);
+        add(l, source, params[p].key);
     }
-    return count;
+}
+
+int schuler_sources_of_imu(const schuler_imu *imu, const schuler_text_list *only,
+                           const schuler_text_list *without, error_source out[SOURCES_MAX])
+{
+    source_list l = { only, without, out, 0 };
+    add_triad(&l, imu, SCHULER_ACCEL);
+    add_triad(&l, imu, SCHULER_GYRO);
+    return l.count;
 }
 
 int schuler_sources_list(const schuler_scenario *s, error_source out[SOURCES_MAX])
@@ -69,20 +87,19 @@ int schuler_sources_list(const schuler_scenario *s, error_source out[SOURCES_MAX
         { SOURCE_TILT, "tilt", 3, 2, &s->tilt },
         { SOURCE_HEADING, "heading", 4, 1, &s->heading },
     };
-    int count = add_triad(s, SCHULER_ACCEL, out, 0);
-    count = add_triad(s, SCHULER_GYRO, out, count);
+    source_list l = { &s->only, &s->without, out,
+                      schuler_sources_of_imu(&s->imu, &s->only, &s->without, out) };
     for (size_t i = 0; i < sizeof(initial) / sizeof(initial[0]); i++)
-        count = add(s, out, count,
-                    (error_source){ .kind = initial[i].kind,
-                                    .group = "initial",
-                                    .number = initial[i].number,
-                                    .components = initial[i].components,
-                                    .value = initial[i].value },
-                    initial[i].key);
+        add(&l,
+            (error_source){ .kind = initial[i].kind,
+                            .group = "initial",
+                            .number = initial[i].number,
+                            .components = initial[i].components,
+                            .value = initial[i].value },
+            initial[i].key);
     if (strcmp(s->truth_gravity, s->nav_gravity) != 0)
-        count = add(s, out, count, (error_source){ .kind = SOURCE_GRAVITY, .group = "gravity" },
-                    "disturbance");
-    return count;
+        add(&l, (error_source){ .kind = SOURCE_GRAVITY, .group = "gravity" }, "disturbance");
+    return l.count;
 }
 
 double schuler_source_draw(const error_source *source, int component, uint64_t seed, uint64_t run)

@@ -34,6 +34,10 @@ enum { SOURCES_MAX = 2 * SCHULER_PARAMS_MAX + 8 };
  *  Returned   out, at most SOURCES_MAX;  count */
 int schuler_sources_list(const schuler_scenario *s, error_source out[SOURCES_MAX]);
 
+/** Those of an IMU alone. */
+int schuler_sources_of_imu(const schuler_imu *imu, const schuler_text_list *only,
+                           const schuler_text_list *without, error_source out[SOURCES_MAX]);
+
 /** true when errors.only / errors.without let this id or group through. */
 bool schuler_source_selected(const schuler_scenario *s, const char *id, const char *group);
 

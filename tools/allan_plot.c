@@ -1,15 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Allan deviations drawn by gnuplot, where it is installed. */
+/* Allan deviations as a picture. */
 #include "tools/allan_report.h"
-#include "tools/messages.h"
-#include "tools/outfile.h"
-#include <errno.h>
+#include "tools/gnuplot.h"
 #include <math.h>
-#include <spawn.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 static void put_column(FILE *out, const allan_report *r, int i)
 {
@@ -25,33 +18,34 @@ static void put_column(FILE *out, const allan_report *r, int i)
     fputs("EOD\n", out);
 }
 
-/* One picture for each instrument, side by side. Names come from the header of a file: what is
- * special in a quoted text is left out. */
-static void put_script(FILE *out, const allan_report *r, const char *terminal)
+static int count_of(const allan_report *r, int instrument)
 {
-    const schuler_identified *const f = r->found;
-    int shown[SCHULER_INSTRUMENTS] = { 0 };
-    for (int i = 0; i < f->columns; i++) {
-        shown[r->recording->column[i].instrument]++;
-        put_column(out, r, i);
-    }
-    const int both = shown[SCHULER_ACCEL] && shown[SCHULER_GYRO];
-    fprintf(out, "set terminal %s size %d,600\n", terminal, both ? 1400 : 800);
+    int count = 0;
+    for (int i = 0; i < r->found->columns; i++)
+        count += (int)r->recording->column[i].instrument == instrument;
+    return count;
+}
+
+/* One picture for each instrument, side by side. */
+static void put_script(FILE *out, const void *what)
+{
+    const allan_report *const r = what;
+    const int both = count_of(r, SCHULER_ACCEL) && count_of(r, SCHULER_GYRO);
+    for (int i = 0; i < r->found->columns; i++) put_column(out, r, i);
     fputs("set logscale xy\nset grid\nset key noenhanced\nset xlabel 'tau, s'\n", out);
     if (both) fputs("set multiplot layout 1,2\n", out);
     for (int k = SCHULER_INSTRUMENTS - 1; k >= 0; k--) {
         double si;
-        if (!shown[k]) continue;
+        if (!count_of(r, k)) continue;
         fprintf(out, "set ylabel 'Allan deviation, %s'\nplot ",
                 allan_rate_unit((schuler_instrument)k, &si));
         const char *comma = "";
-        for (int i = 0; i < f->columns; i++) {
+        for (int i = 0; i < r->found->columns; i++) {
             if ((int)r->recording->column[i].instrument != k) continue;
-            fprintf(out, "%s$c%d using 1:2:3:4 with yerrorbars pt 7 ps 0.4 lc %d title '", comma, i,
+            fprintf(out, "%s$c%d using 1:2:3:4 with yerrorbars pt 7 ps 0.4 lc %d title ", comma, i,
                     i + 1);
-            for (const char *p = r->recording->column[i].name; *p; p++)
-                if (*p != '\'' && *p != '\\' && *p >= ' ') fputc(*p, out);
-            fprintf(out, "', $c%d using 1:5 with lines lc %d notitle", i, i + 1);
+            gnuplot_quote(out, r->recording->column[i].name);
+            fprintf(out, ", $c%d using 1:5 with lines lc %d notitle", i, i + 1);
             comma = ", ";
         }
         fputc('\n', out);
@@ -59,41 +53,8 @@ static void put_script(FILE *out, const allan_report *r, const char *terminal)
     if (both) fputs("unset multiplot\n", out);
 }
 
-/* gnuplot with the script as its input and the picture as its output. */
-static exit_code draw(FILE *script, FILE *picture)
-{
-    extern char **environ;
-    char program[] = "gnuplot", *const arguments[] = { program, NULL };
-    posix_spawn_file_actions_t actions;
-    pid_t child;
-    int state = 0;
-    if (posix_spawn_file_actions_init(&actions) != 0) return say_failure("out of memory");
-    posix_spawn_file_actions_adddup2(&actions, fileno(script), STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, fileno(picture), STDOUT_FILENO);
-    const int wrong = posix_spawnp(&child, program, &actions, NULL, arguments, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (wrong == ENOENT) return say_failure("--plot: gnuplot is not installed");
-    if (wrong) return say_failure("--plot: gnuplot cannot be started: %s", strerror(wrong));
-    while (waitpid(child, &state, 0) < 0)
-        if (errno != EINTR) return say_failure("--plot: %s", strerror(errno));
-    if (!WIFEXITED(state) || WEXITSTATUS(state) != 0) return say_failure("--plot: gnuplot failed");
-    return EXIT_DONE;
-}
-
 exit_code allan_plot(const allan_report *r, const char *path)
 {
-    const char *const end = strrchr(path, '.');
-    const char *const terminal = end && strcmp(end, ".png") == 0 ? "pngcairo" : "svg";
-    outfile picture = { 0 };
-    FILE *const script = tmpfile();
-    if (!script) return say_failure("--plot: %s", strerror(errno));
-    put_script(script, r, terminal);
-    rewind(script);
-    exit_code code = ferror(script) ? say_failure("--plot: cannot write to a temporary file")
-                                    : outfile_open(&picture, path);
-    if (code == EXIT_DONE) code = draw(script, picture.file);
-    if (code == EXIT_DONE) code = outfile_publish(&picture);
-    outfile_drop(&picture);
-    fclose(script);
-    return code;
+    const int both = count_of(r, SCHULER_ACCEL) && count_of(r, SCHULER_GYRO);
+    return gnuplot_draw(path, both ? 1400 : 800, 600, put_script, r);
 }

@@ -95,6 +95,18 @@ void arguments_unknown(struct argp_state *state, const char *what, const char *w
     argp_error(state, "unknown %s '%s'%s", what, written, hint);
 }
 
+double arguments_quantity(struct argp_state *state, const char *option, const char *text,
+                          schuler_dim dim, double least, double most)
+{
+    schuler_error error = { 0 };
+    double si = 0.0;
+    if (schuler_quantity_parse(text, dim, &si, &error) != SCHULER_OK)
+        argp_error(state, "%s: %s", option, error.message);
+    if (!(si >= least && si <= most))
+        argp_error(state, "%s: '%s' is not from %g to %g (SI)", option, text, least, most);
+    return si;
+}
+
 int arguments_choice(struct argp_state *state, const char *option, const char *text,
                      const char *const *words)
 {

@@ -3,6 +3,7 @@
 #ifndef SCHULER_TOOLS_ARGUMENTS_H
 #define SCHULER_TOOLS_ARGUMENTS_H
 
+#include "core/units.h"
 #include <argp.h>
 #include <stdint.h>
 
@@ -20,6 +21,9 @@ void arguments_parse(const struct argp *argp, int argc, char **argv, void *input
 /** The value of an option as a whole number in [min, max]; a usage error when it is none. */
 int64_t arguments_integer(struct argp_state *state, const char *option, const char *text,
                           int64_t min, int64_t max);
+/** The option's value with its unit, in SI, in [least, most]; a usage error when it is none. */
+double arguments_quantity(struct argp_state *state, const char *option, const char *text,
+                          schuler_dim dim, double least, double most);
 /** The option's value as a position in a NULL-terminated list of words; a usage error that lists
  * them. */
 int arguments_choice(struct argp_state *state, const char *option, const char *text,

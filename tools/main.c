@@ -24,6 +24,8 @@ static const verb verbs[] = {
     { "truth", "write exact increments and the true trajectory of a scenario", verb_truth },
     { "navigate", "navigate over recorded increments, compare with a reference", verb_navigate },
     { "allan", "noise coefficients and a sensor file from recorded data at rest", verb_allan },
+    { "characterize", "a sensor on a test stand: mean, spread over units, noise, Allan deviation",
+      verb_characterize },
     { "bench", "how fast this machine computes, for each instruction set", verb_bench },
     { "init", "a commented scenario to start from; without a name: what there is", verb_init },
 };
@@ -35,7 +37,7 @@ static void print_help(FILE *out)
           "How far does an inertial navigator drift, which error is to blame, does it meet\n"
           "the requirement?\n\n",
           out);
-    for (int i = 0; i < VERBS; i++) fprintf(out, "  %-10s %s\n", verbs[i].name, verbs[i].summary);
+    for (int i = 0; i < VERBS; i++) fprintf(out, "  %-12s %s\n", verbs[i].name, verbs[i].summary);
     fputs("\nschuler VERB --help says more, schuler --version which version this is.\n\n"
           "Examples:\n"
           "  schuler init                          list the scenarios to start from\n"

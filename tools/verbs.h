@@ -25,6 +25,7 @@ exit_code verb_sensors(int argc, char **argv);
 exit_code verb_models(int argc, char **argv);
 exit_code verb_truth(int argc, char **argv);
 exit_code verb_allan(int argc, char **argv);
+exit_code verb_characterize(int argc, char **argv);
 exit_code verb_navigate(int argc, char **argv);
 exit_code verb_bench(int argc, char **argv);
 exit_code verb_init(int argc, char **argv);

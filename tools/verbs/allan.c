@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* schuler allan: Allan deviation, noise coefficients and a sensor file from recorded data. */
-#include "core/units.h"
 #include "tools/allan_report.h"
 #include "tools/arguments.h"
+#include "tools/gnuplot.h"
 #include "tools/json.h"
 #include "tools/messages.h"
 #include "tools/outfile.h"
@@ -81,18 +81,6 @@ static unsigned parse_terms(struct argp_state *state, const char *text)
     return terms;
 }
 
-static double parse_rate(struct argp_state *state, const char *text)
-{
-    schuler_error error = { 0 };
-    double rate_hz = 0.0;
-    if (schuler_quantity_parse(text, (schuler_dim)SCHULER_DIM_FREQUENCY, &rate_hz, &error) !=
-        SCHULER_OK)
-        argp_error(state, "--rate: %s", error.message);
-    if (!(rate_hz >= 1e-6 && rate_hz <= 1e9))
-        argp_error(state, "--rate: a rate from 1e-6 to 1e9 Hz is needed");
-    return rate_hz;
-}
-
 static double parse_level(struct argp_state *state, const char *text)
 {
     char *end;
@@ -109,13 +97,6 @@ static void set_kind(struct argp_state *state, allan_arguments *a, schuler_data_
     a->recording.kind = kind;
 }
 
-static void check_plot(struct argp_state *state, const char *path)
-{
-    const char *const end = strrchr(path, '.');
-    if (!end || (strcmp(end, ".svg") != 0 && strcmp(end, ".png") != 0))
-        argp_error(state, "--plot: '%s' must end with .svg or .png", path);
-}
-
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     static const char *const instruments[] = { "accel", "gyro", NULL };
@@ -126,7 +107,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->recording.columns = arg;
         return 0;
     case KEY_RATE:
-        a->recording.rate_hz = parse_rate(state, arg);
+        a->recording.rate_hz =
+            arguments_quantity(state, "--rate", arg, (schuler_dim)SCHULER_DIM_FREQUENCY, 1e-6, 1e9);
         return 0;
     case KEY_INSTRUMENT:
         a->recording.only_instrument = 1;
@@ -171,7 +153,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->name = arg;
         return 0;
     case KEY_PLOT:
-        check_plot(state, arg);
+        gnuplot_check(state, arg);
         a->plot = arg;
         return 0;
     case KEY_THREADS:
