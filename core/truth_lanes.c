@@ -131,14 +131,15 @@ static void increments(const schuler_truth_run *run, double index, int at, int n
     }
 }
 
-static void points(const schuler_truth_run *run, double index, int at, int n, schuler_columns *f,
-                   schuler_columns *omega)
+static void points(const schuler_truth_run *run, double index, double fraction, int at, int n,
+                   schuler_columns *f, schuler_columns *omega)
 {
     const lanes3 no_dg = { lanes_set(0.0), lanes_set(0.0), lanes_set(0.0) };
     for (int i = 0; i < n; i += SCHULER_LANES) {
         const int some = n - i < SCHULER_LANES ? n - i : SCHULER_LANES;
         lanes3 omega_ib_b, f_ib_b;
-        rates(run, run->s0 + (count_up() + (index + i)) * run->ds, no_dg, &omega_ib_b, &f_ib_b);
+        rates(run, run->s0 + ((count_up() + (index + i)) + fraction) * run->ds, no_dg, &omega_ib_b,
+              &f_ib_b);
         store_some(&f->v[0][at + i], some, f_ib_b.x);
         store_some(&f->v[1][at + i], some, f_ib_b.y);
         store_some(&f->v[2][at + i], some, f_ib_b.z);

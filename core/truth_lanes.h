@@ -34,9 +34,10 @@ typedef struct {
     void (*increments)(const schuler_truth_run *run, double index, int at, int n,
                        const schuler_columns *dg_e, double (*dtheta)[SCHULER_BLOCK],
                        double (*dv)[SCHULER_BLOCK]);
-    /** Specific force and rate at one instant of each of n steps: index + i steps into the run. */
-    void (*points)(const schuler_truth_run *run, double index, int at, int n, schuler_columns *f,
-                   schuler_columns *omega);
+    /** Specific force and rate at one instant of each of n steps: index + i + fraction steps into the
+     *  run; index is a whole number, so that no sum depends on the width. */
+    void (*points)(const schuler_truth_run *run, double index, double fraction, int at, int n,
+                   schuler_columns *f, schuler_columns *omega);
     /** The gravity table at n points: gravity, height and normal ratio; a check that
      * all instruction sets and the scalar twin agree. n <= SCHULER_BLOCK. */
     void (*gravity)(const schuler_gravity_table *g, int n, const schuler_columns *r_e,

@@ -34,7 +34,7 @@ static void at_instant(const schuler_truth *truth, const schuler_truth_lanes *la
                                   : s;
     run.s0 = s;
     run.ds = 0.0;
-    lanes->points(&run, 0.0, at, 1, f, omega);
+    lanes->points(&run, 0.0, 0.0, at, 1, f, omega);
 }
 
 /* Every step of a block at the same part of it. */
@@ -47,7 +47,7 @@ static void at_fraction(const schuler_truth *truth, const schuler_truth_lanes *l
         double index;
         const int whole = schuler_truth_next_run(truth, &p, first + i, n - i, &run, &index);
         if (whole > 0)
-            lanes->points(&run, index + fraction, i, whole, f, omega);
+            lanes->points(&run, index, fraction, i, whole, f, omega);
         else
             at_instant(truth, lanes, ((double)(first + i) + fraction) * truth->dt_s, i, f, omega);
         i += whole > 0 ? whole : 1;

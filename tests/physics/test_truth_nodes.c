@@ -62,6 +62,26 @@ static void nodes_are_the_motion_at_their_instants(void **state)
     schuler_path_free(&path);
 }
 
+static void nodes_are_the_same_bits_at_any_width(void **state)
+{
+    (void)state;
+    schuler_path path = flight_of_all_manoeuvres();
+    schuler_truth *truth = flight_truth(&path, 0.01, gravity_name, gravity_name);
+    static schuler_truth_nodes one, other;
+    for (int64_t first = 0; first + SCHULER_BLOCK < schuler_truth_steps(truth);
+         first += 17 * SCHULER_BLOCK) {
+        schuler_truth_nodes_compute(truth, SCHULER_ISA_SCALAR, first, SCHULER_BLOCK, &one);
+        for (int isa = 0; isa < SCHULER_ISA_COUNT; isa++) {
+            if (!schuler_isa_available((schuler_isa)isa)) continue;
+            other = one;
+            schuler_truth_nodes_compute(truth, (schuler_isa)isa, first, SCHULER_BLOCK, &other);
+            assert_memory_equal(&one, &other, sizeof one);
+        }
+    }
+    schuler_truth_free(truth);
+    schuler_path_free(&path);
+}
+
 /* The increments are made from the same nodes, but for steps that hold a joint: there the jerk
  * jumps by 3 m/s^3 at most, which three nodes see to 3 m/s^3 dt^2 / 10. */
 static void increments_are_the_sum_over_the_nodes(void **state)
@@ -99,6 +119,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nodes_are_the_motion_at_their_instants),
+        cmocka_unit_test(nodes_are_the_same_bits_at_any_width),
         cmocka_unit_test(increments_are_the_sum_over_the_nodes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
