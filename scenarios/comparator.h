@@ -22,10 +22,11 @@ void schuler_compare_attitude(const schuler_nav_state *nav, const schuler_truth_
 
 /* What is kept of a lane as it goes. */
 typedef struct {
-    double start_m[2];     /* north, east at the start                              */
-    double sum_tr, sum_tt; /* of the radial error: for the slope through the origin */
-    double sum_v2, count;  /* horizontal velocity error                             */
-    double end_m, max_m;   /* horizontal error                                      */
+    double start_m[2];                   /* north, east at the start                              */
+    double sum_tr, sum_tt;               /* of the radial error: for the slope through the origin */
+    double sum_v2, count;                /* horizontal velocity error                             */
+    double end_m, max_m;                 /* horizontal error                                      */
+    double clipped[SCHULER_INSTRUMENTS]; /* samples beyond the range, over all axes */
 } lane_metrics;
 
 /** The error at the start, which the slope is not to count: it is subtracted as a vector. */

@@ -64,6 +64,17 @@ static int tick(void *user, int64_t lane_steps)
     return atomic_load(&g->stopped) || (o->stop && *o->stop);
 }
 
+/* Whole numbers: the order of the batches does not matter. */
+static void add_clipped(gathering *g, const lane_metrics *m)
+{
+    pthread_mutex_lock(&g->lock);
+    for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
+        g->result->clipped[i].runs += m->clipped[i] > 0.0;
+        g->result->clipped[i].samples += (int64_t)m->clipped[i];
+    }
+    pthread_mutex_unlock(&g->lock);
+}
+
 static void store(gathering *g, const lane_batch *work, const batch_result *from)
 {
     const simulation_plan *p = g->plan;
@@ -80,6 +91,7 @@ static void store(gathering *g, const lane_batch *work, const batch_result *from
             row->max_m[run] = m->max_m;
             row->slope_mps[run] = m->sum_tr / m->sum_tt;
             row->v_rms_mps[run] = sqrt(m->sum_v2 / m->count);
+            if (chunk->row == plan_row_all(p)) add_clipped(g, m);
         }
     }
 }

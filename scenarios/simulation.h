@@ -46,6 +46,12 @@ typedef struct {
     schuler_verdict verdict;
 } schuler_judgement;
 
+/* What of a triad's output was cut off at its range, in the joint runs. */
+typedef struct {
+    int runs;        /* in which it happened                                               */
+    int64_t samples; /* of one axis, over all runs; there are runs * steps * 3             */
+} schuler_clipping;
+
 typedef struct {
     const schuler_scenario *scenario; /* borrowed */
     int runs;
@@ -57,6 +63,7 @@ typedef struct {
     double rss_end_m, rss_max_m; /* root of the summed squares of the rows' rms  */
     size_t time_count;
     double *times_s; /* report times, without 0                     */
+    schuler_clipping clipped[SCHULER_INSTRUMENTS];
     schuler_judgement judgement;
     int64_t lane_steps; /* work done                                   */
 } schuler_result;

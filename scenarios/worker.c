@@ -138,6 +138,14 @@ static schuler_status fly(const lane_batch_state *b, batch_tick tick, void *user
     return status;
 }
 
+static void count_clipped(const lane_batch_state *b, batch_result *out)
+{
+    for (int k = 0; k < b->count; k++)
+        for (int i = 0; i < SCHULER_INSTRUMENTS; i++)
+            out->metrics[b->lanes[k].result].clipped[i] =
+                schuler_chain_events(b->chain[i], b->groups[k / b->width].triad[i], k % b->width);
+}
+
 schuler_status schuler_batch_run(const simulation_plan *plan, size_t index, bool rows_wanted,
                                  batch_tick tick, void *user, batch_result *out, schuler_error *err)
 {
@@ -153,6 +161,7 @@ schuler_status schuler_batch_run(const simulation_plan *plan, size_t index, bool
     if (status == SCHULER_OK && (!out->metrics || !out->curve_m2 || (rows_wanted && !out->rows)))
         status = schuler_fail(err, SCHULER_ERR_MEMORY, NULL, "out of memory");
     if (status == SCHULER_OK) status = fly(&b, tick, user, out, err);
+    if (status == SCHULER_OK) count_clipped(&b, out);
     if (status != SCHULER_OK) {
         schuler_batch_free(out);
         *out = (batch_result){ 0 };

@@ -151,6 +151,20 @@ static void put_sums(const layout *l, const schuler_result *result)
             "numerical residue, no errors", 9, none_mm < 1e5 ? 3 : 0, none_mm);
 }
 
+/* A sensor that is driven beyond its range says so, however little of the budget it is. */
+static void put_clipped(FILE *out, const schuler_result *result)
+{
+    for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
+        const schuler_clipping *const c = &result->clipped[i];
+        if (c->runs == 0) continue;
+        const double all = 3.0 * (double)result->steps * result->all.runs;
+        fprintf(out,
+                "  %s beyond its range in %d of %d run%s: %.3g %% of the samples were cut off\n",
+                schuler_instrument_name((schuler_instrument)i), c->runs, result->all.runs,
+                result->all.runs == 1 ? "" : "s", 100.0 * (double)c->samples / all);
+    }
+}
+
 void budget_header(FILE *out, const schuler_result *result)
 {
     const schuler_scenario *s = result->scenario;
@@ -189,6 +203,7 @@ bool budget_table(FILE *out, const schuler_result *result, bool all)
     if (count == 0) fputs("  no error source is on\n", out);
     put_rule(out);
     put_sums(&l, result);
+    put_clipped(out, result);
     if (assumed) fputs("\n  * assumed: the maker publishes no such figure\n", out);
     free(rows);
     return true;

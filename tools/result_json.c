@@ -39,12 +39,26 @@ static json_t *requirement(const schuler_result *result)
                      json_of_number(judged->confidence), "verdict", verdict_name(judged->verdict));
 }
 
+/* Share: of all samples of the joint runs' axes. */
+static json_t *saturation(const schuler_result *result)
+{
+    json_t *root = json_object();
+    for (int i = 0; root && i < SCHULER_INSTRUMENTS; i++) {
+        const schuler_clipping *const c = &result->clipped[i];
+        const double all = 3.0 * (double)result->steps * result->all.runs;
+        json_object_set_new(root, schuler_instrument_name((schuler_instrument)i),
+                            json_pack("{s:i, s:o}", "runs", c->runs, "share",
+                                      json_of_number((double)c->samples / all)));
+    }
+    return root;
+}
+
 json_t *result_json(const schuler_result *result)
 {
     const schuler_scenario *scenario = result->scenario;
     json_t *root =
         json_pack("{s:s, s:s, s:{s:o, s:s}, s:o, s:I, s:i, s:o, s:o, s:{s:o, s:o, s:o}, s:{s:o}, "
-                  "s:{s:{s:o}}}",
+                  "s:{s:{s:o}}, s:o}",
                   "format", "schuler-result-1", "version", SCHULER_VERSION, "scenario", "name",
                   json_of_text(scenario->name), "sha256", scenario->sha256, "imu",
                   json_of_text(scenario->imu.name), "seed", (json_int_t)scenario->seed, "runs",
@@ -53,7 +67,7 @@ json_t *result_json(const schuler_result *result)
                   "drift_cep_nmi_per_h", json_of_number(nmi_per_h(result->all.cep_mps)),
                   "drift_r95_nmi_per_h", json_of_number(nmi_per_h(result->all.r95_mps)), "none",
                   "horizontal_rms_m", horizontal(&result->none), "rss", "horizontal_rms_m",
-                  "at_end", json_of_number(result->rss_end_m));
+                  "at_end", json_of_number(result->rss_end_m), "saturation", saturation(result));
     if (root && scenario->requirement.given &&
         json_object_set_new(root, "requirement", requirement(result)) != 0) {
         json_decref(root);

@@ -17,7 +17,7 @@ static const char mission[] =
     "  gyro:\n    model: linear\n    bias: {uniform: 0.01 deg/h}\n    angle_random_walk: 0.003 "
     "deg/sqrt(h)\n"
     "    gauss_markov: 0.02 deg/h\n    gauss_markov_time: 60 s\n    bias_random_walk: 0.1 "
-    "deg/h/sqrt(h)\n"
+    "deg/h/sqrt(h)\n    saturation: 1 deg/s\n"
     "initial: {tilt: {normal: 10 arcsec}}\n"
     "requirement: {drift: 1 nmi/h, statistic: CEP}\n";
 
@@ -42,6 +42,10 @@ static void assert_same_bytes(const schuler_result *a, const schuler_result *b)
     assert_rows_equal(&a->all, &b->all, a->all.runs, a->time_count);
     assert_rows_equal(&a->none, &b->none, a->none.runs, a->time_count);
     assert_memory_equal(&a->judgement, &b->judgement, sizeof(a->judgement));
+    for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
+        assert_int_equal(a->clipped[i].runs, b->clipped[i].runs);
+        assert_int_equal(a->clipped[i].samples, b->clipped[i].samples);
+    }
 }
 
 static void threads_and_widths_give_the_same_bytes(void **state)
@@ -51,6 +55,9 @@ static void threads_and_widths_give_the_same_bytes(void **state)
     schuler_run_options options = { .threads = 1, .has_isa = 1, .isa = SCHULER_ISA_SCALAR };
     schuler_result *reference = mission_run(s, &options);
     assert_int_equal(reference->all.runs, 70);
+    /* the bank rolls faster than the range, now and then */
+    assert_int_equal(reference->clipped[SCHULER_GYRO].runs, 70);
+    assert_int_equal(reference->clipped[SCHULER_ACCEL].runs, 0);
     for (int isa = 0; isa < SCHULER_ISA_COUNT; isa++)
         for (int threads = 1; threads <= 3; threads++) {
             if (!schuler_isa_available((schuler_isa)isa)) continue;
@@ -187,6 +194,26 @@ static void a_failing_receiver_stops_the_run(void **state)
     schuler_scenario_free(s);
 }
 
+/* At rest one axis of three feels gravity: beyond a range of 0.9 g in every sample of every run. */
+static void what_is_cut_off_is_counted(void **state)
+{
+    (void)state;
+    schuler_scenario *s = mission_text(
+        "scenario: at rest\nseed: 5\nruns: 11\n"
+        "trajectory: {kind: static, start: {lat: 45 deg, lon: 7 deg, height: 0 m, heading: 0 deg}, "
+        "for: 20 s}\n"
+        "imu:\n  rate: 50 Hz\n  accel: {model: linear, bias: {normal: 1 mg}, saturation: 0.9 g}\n"
+        "  gyro: {model: linear, saturation: 1 deg/s}\n");
+    const schuler_run_options options = { .threads = 2 };
+    schuler_result *r = mission_run(s, &options);
+    assert_int_equal(r->clipped[SCHULER_ACCEL].runs, 11);
+    assert_int_equal(r->clipped[SCHULER_ACCEL].samples, 11 * 1000);
+    assert_int_equal(r->clipped[SCHULER_GYRO].runs, 0);
+    assert_int_equal(r->clipped[SCHULER_GYRO].samples, 0);
+    schuler_result_free(r);
+    schuler_scenario_free(s);
+}
+
 static void a_request_to_stop_is_heard(void **state)
 {
     (void)state;
@@ -224,6 +251,7 @@ int main(void)
         cmocka_unit_test(a_source_alone_repeats_its_part_of_the_budget),
         cmocka_unit_test(error_rows_come_in_order_and_agree_with_the_budget),
         cmocka_unit_test(a_failing_receiver_stops_the_run),
+        cmocka_unit_test(what_is_cut_off_is_counted),
         cmocka_unit_test(a_request_to_stop_is_heard),
         cmocka_unit_test(divergence_is_an_error_with_source_and_time),
     };
