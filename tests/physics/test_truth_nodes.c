@@ -62,6 +62,7 @@ static void nodes_are_the_motion_at_their_instants(void **state)
     schuler_path_free(&path);
 }
 
+/* Everywhere: what is summed in another order differs only where a sum crosses a power of two. */
 static void nodes_are_the_same_bits_at_any_width(void **state)
 {
     (void)state;
@@ -69,7 +70,7 @@ static void nodes_are_the_same_bits_at_any_width(void **state)
     schuler_truth *truth = flight_truth(&path, 0.01, gravity_name, gravity_name);
     static schuler_truth_nodes one, other;
     for (int64_t first = 0; first + SCHULER_BLOCK < schuler_truth_steps(truth);
-         first += 17 * SCHULER_BLOCK) {
+         first += SCHULER_BLOCK) {
         schuler_truth_nodes_compute(truth, SCHULER_ISA_SCALAR, first, SCHULER_BLOCK, &one);
         for (int isa = 0; isa < SCHULER_ISA_COUNT; isa++) {
             if (!schuler_isa_available((schuler_isa)isa)) continue;
