@@ -39,7 +39,7 @@ static int param_index(const schuler_scenario *s, schuler_instrument i, const ch
     return -1;
 }
 
-enum { BENCH_QUIET, BENCH_WHITE, BENCH_DRIFTING, BENCH_HEAVIEST };
+enum { BENCH_QUIET, BENCH_WHITE, BENCH_DRIFTING, BENCH_IEEE1293, BENCH_HEAVIEST };
 
 static void give(schuler_value *v, double value)
 {
@@ -72,7 +72,7 @@ static void set_processes(schuler_scenario *s, schuler_instrument i, double bias
 static schuler_scenario sensors_for(const schuler_scenario *base, int kind,
                                     schuler_param params[][SCHULER_PARAMS_MAX + 1])
 {
-    static const char *const heaviest[SCHULER_INSTRUMENTS] = { "ieee1293", "spinning_mass" };
+    static const char *const heavy_model[SCHULER_INSTRUMENTS] = { "ieee1293", "spinning_mass" };
     static const double bias[SCHULER_INSTRUMENTS] = { 2.5e-4, 1.7e-8 };
     schuler_scenario s = *base;
     s.samples_per_update = 1;
@@ -85,9 +85,10 @@ static schuler_scenario sensors_for(const schuler_scenario *base, int kind,
     for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
         const schuler_instrument instrument = (schuler_instrument)i;
         const char *const walk = i == SCHULER_ACCEL ? "velocity_random_walk" : "angle_random_walk";
+        const bool heavy =
+            kind == BENCH_HEAVIEST || (kind == BENCH_IEEE1293 && instrument == SCHULER_ACCEL);
         schuler_triad *triad = &s.imu.triad[i];
-        triad->model_index =
-            schuler_sensor_model_find(kind == BENCH_HEAVIEST ? heaviest[i] : "linear");
+        triad->model_index = schuler_sensor_model_find(heavy ? heavy_model[i] : "linear");
         triad->model = schuler_sensor_models(SCHULER_ISA_SCALAR)[triad->model_index];
         (void)schuler_chain_params(triad->model, instrument, params[i]);
         triad->params = params[i];
@@ -95,7 +96,7 @@ static schuler_scenario sensors_for(const schuler_scenario *base, int kind,
         for (int k = 0; params[i][k].key; k++)
             for (int c = 0; params[i][k].number == 0 && c < params[i][k].components; c++)
                 triad->values[k].a[c] = params[i][k].def;
-        if (kind == BENCH_HEAVIEST) {
+        if (heavy) {
             set_all_terms(triad, instrument);
             set_processes(&s, instrument, bias[i]);
         } else {
@@ -103,7 +104,8 @@ static schuler_scenario sensors_for(const schuler_scenario *base, int kind,
             set(&s, instrument, "scale_factor", i == SCHULER_ACCEL ? 1e-4 : 5e-6);
             set(&s, instrument, "misalignment", 3e-5);
         }
-        if (kind != BENCH_QUIET) set(&s, instrument, walk, i == SCHULER_ACCEL ? 1.5e-5 : 5.8e-7);
+        if (kind != BENCH_QUIET && kind != BENCH_IEEE1293)
+            set(&s, instrument, walk, i == SCHULER_ACCEL ? 1.5e-5 : 5.8e-7);
         if (kind == BENCH_DRIFTING) {
             set(&s, instrument, "gauss_markov", i == SCHULER_ACCEL ? 1e-4 : 1e-8);
             set(&s, instrument, "gauss_markov_time", 100.0);

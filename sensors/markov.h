@@ -47,24 +47,44 @@ LANES_INLINE void markov_setup_axis(markov_noise *m, int axis, const schuler_mar
     }
 }
 
-/* Adds members i .. i + count - 1 over n samples: their recursions are independent, so that several at
- * a time hide each other's latency. */
-LANES_INLINE void markov_members(markov_noise *m, int axis, int i, int count, int n, const lanes *e,
-                                 lanes *sum)
+/* One member of one axis in a register. */
+typedef struct {
+    lanes x, phi, feed;
+} markov_member;
+
+LANES_INLINE markov_member markov_load(const markov_noise *m, int axis, int i)
 {
-    const schuler_markov_filter *const f = &m->filter[axis];
-    lanes x[4], phi[4], feed[4];
-    for (int j = 0; j < count; j++) {
-        x[j] = m->x[axis][i + j];
-        phi[j] = lanes_set(f->phi[i + j]);
-        feed[j] = lanes_set(f->feed[i + j]);
-    }
+    return (markov_member){ m->x[axis][i], lanes_set(m->filter[axis].phi[i]),
+                            lanes_set(m->filter[axis].feed[i]) };
+}
+
+/* Its part of a sample. */
+LANES_INLINE lanes markov_step(markov_member *p, lanes e)
+{
+    const lanes x = p->x;
+    p->x = p->phi * x + p->feed * e;
+    return x;
+}
+
+/* Members i .. i + 3 over n samples: four recursions hide each other's latency. */
+LANES_INLINE void markov_four(markov_noise *m, int axis, int i, int n, const lanes *e, lanes *sum)
+{
+    markov_member a = markov_load(m, axis, i), b = markov_load(m, axis, i + 1);
+    markov_member c = markov_load(m, axis, i + 2), d = markov_load(m, axis, i + 3);
     for (int k = 0; k < n; k++)
-        for (int j = 0; j < count; j++) {
-            sum[k] += x[j];
-            x[j] = phi[j] * x[j] + feed[j] * e[k];
-        }
-    for (int j = 0; j < count; j++) m->x[axis][i + j] = x[j];
+        sum[k] += (markov_step(&a, e[k]) + markov_step(&b, e[k])) +
+                  (markov_step(&c, e[k]) + markov_step(&d, e[k]));
+    m->x[axis][i] = a.x;
+    m->x[axis][i + 1] = b.x;
+    m->x[axis][i + 2] = c.x;
+    m->x[axis][i + 3] = d.x;
+}
+
+LANES_INLINE void markov_one(markov_noise *m, int axis, int i, int n, const lanes *e, lanes *sum)
+{
+    markov_member a = markov_load(m, axis, i);
+    for (int k = 0; k < n; k++) sum[k] += markov_step(&a, e[k]);
+    m->x[axis][i] = a.x;
 }
 
 /* Number k of the stream of an axis belongs to step k. */
@@ -79,8 +99,8 @@ LANES_INLINE void markov_add(markov_noise *m, const schuler_model_block *b)
                       (uint64_t)b->first / 4, (b->n + 3) / 4, e);
         for (int k = 0; k < b->n; k++) sum[k] = direct * e[k];
         int i = 0;
-        for (; i + 4 <= members; i += 4) markov_members(m, axis, i, 4, b->n, e, sum);
-        for (; i < members; i++) markov_members(m, axis, i, 1, b->n, e, sum);
+        for (; i + 4 <= members; i += 4) markov_four(m, axis, i, b->n, e, sum);
+        for (; i < members; i++) markov_one(m, axis, i, b->n, e, sum);
         for (int k = 0; k < b->n; k++)
             lanes_store(out + k * SCHULER_LANES,
                         lanes_load(out + k * SCHULER_LANES) + m->scale[axis] * sum[k]);
