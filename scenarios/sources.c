@@ -55,7 +55,8 @@ static void add_triad(source_list *l, const schuler_imu *imu, schuler_instrument
             .components = params[p].components,
             .unit = imu->unit,
             .value = &triad->values[p],
-            .drawn = params[p].noisy != 0,
+            /* The phase of a sinusoid is drawn, whatever its amplitude is. */
+            .drawn = params[p].noisy != 0 || params[p].acts == SCHULER_ACTS_PERIODIC,
             .normals = 3 * params[p].noisy,
         };
         snprintf(source.group, sizeof(source.group), "%s", schuler_instrument_name(instrument));
