@@ -19,15 +19,16 @@ enum {
     KEY_PLUGIN
 };
 
+enum { OF_BUDGETS = 3 }; /* the first ones, for verbs that run any sources and write files */
 static const struct argp_option options[] = {
+    { "only", KEY_ONLY, "SOURCE,...", 0, "only these error sources or groups", 0 },
+    { "without", KEY_WITHOUT, "SOURCE,...", 0, "all but these", 0 },
+    { NULL, 'o', "DIR", 0, "result files, with errors over time", 0 },
     { "imu", KEY_IMU, "NAME", 0, "another IMU: catalog name or file", 0 },
     { "runs", KEY_RUNS, "N", 0, "number of Monte Carlo runs", 0 },
     { "seed", KEY_SEED, "N", 0, "seed of all random draws", 0 },
     { "set", KEY_SET, "KEY=VALUE", 0, "change a key, e.g. imu.rate='200 Hz'; repeatable", 0 },
-    { "only", KEY_ONLY, "SOURCE,...", 0, "only these error sources or groups", 0 },
-    { "without", KEY_WITHOUT, "SOURCE,...", 0, "all but these", 0 },
     { "json", KEY_JSON, "FILE", 0, "result as JSON; - is standard output", 0 },
-    { NULL, 'o', "DIR", 0, "result files, with errors over time", 0 },
     { "threads", KEY_THREADS, "N", 0, "threads; 0, the default: all processors", 0 },
     { "isa", KEY_ISA, "NAME", 0, "scalar, sse2, avx2 or avx512; same results", 0 },
     PLUGIN_OPTION(KEY_PLUGIN),
@@ -109,6 +110,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 }
 
 const struct argp simulation_argp = { .options = options, .parser = parse };
+const struct argp simulation_argp_single = { .options = options + OF_BUDGETS, .parser = parse };
 
 static void put_switch(FILE *out, const char *name, const char *value)
 {

@@ -8,9 +8,7 @@
 #include "tools/result_csv.h"
 #include "tools/result_json.h"
 #include "tools/scenario_input.h"
-#include "tools/simulation_arguments.h"
-#include "tools/stop.h"
-#include "tools/terminal.h"
+#include "tools/simulate.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -54,26 +52,6 @@ static const struct argp argp = {
            "  schuler run flight.yaml --set 'imu.gyro.bias=0.01 deg/h' -o "
            "result\n" ARGUMENTS_VERDICT_STATUS,
 };
-
-/* What the engine's callbacks write to. */
-typedef struct {
-    progress *progress;
-    FILE *errors; /* or NULL */
-} sink;
-
-static void on_progress(void *user, double fraction)
-{
-    const sink *s = user;
-    progress_show(s->progress, fraction);
-}
-
-static schuler_status on_errors(void *user, const char *id, int run, const schuler_error_row *rows,
-                                size_t count)
-{
-    const sink *s = user;
-    errors_csv_rows(s->errors, id, run, rows, count);
-    return ferror(s->errors) ? SCHULER_ERR_FILE : SCHULER_OK; /* a full disk: stop at once */
-}
 
 static exit_code write_directory(outdir *dir, outfile *errors, const schuler_result *result,
                                  const simulation_arguments *a)
@@ -133,36 +111,15 @@ static exit_code deliver(const schuler_result *result, const simulation_argument
     return code == EXIT_DONE ? budget_exit(result) : code;
 }
 
-static exit_code simulate(const schuler_scenario *scenario, const simulation_arguments *a)
+static exit_code run(const schuler_scenario *scenario, const simulation_arguments *a)
 {
     outdir dir = { 0 };
     outfile errors = { 0 };
     schuler_result *result = NULL;
-    schuler_error error = { 0 };
-    progress bar = progress_start(a->quiet);
     exit_code code = EXIT_DONE;
     if (a->directory) code = outdir_open(&dir, a->directory);
     if (code == EXIT_DONE && a->directory) code = outdir_file(&dir, &errors, "errors.csv");
-    if (code == EXIT_DONE) {
-        sink s = { &bar, errors.file };
-        if (errors.file) errors_csv_header(errors.file);
-        const schuler_run_options wanted = { .threads = a->threads,
-                                             .has_isa = a->has_isa,
-                                             .isa = a->isa,
-                                             .progress = on_progress,
-                                             .errors = errors.file ? on_errors : NULL,
-                                             .user = &s,
-                                             .stop = stop_flag() };
-        const schuler_status status = schuler_simulate(scenario, &wanted, &result, &error);
-        progress_end(&bar);
-        code = exit_of(status);
-        if (status == SCHULER_ERR_INTERRUPTED)
-            fputs("schuler: interrupted; nothing was written\n", stderr);
-        else if (status == SCHULER_ERR_FILE && errors.file && ferror(errors.file))
-            code = outfile_complete(&errors); /* says which file and why */
-        else if (status != SCHULER_OK)
-            say_error(&error);
-    }
+    if (code == EXIT_DONE) code = simulate(scenario, a, &errors, &result);
     if (code == EXIT_DONE) code = deliver(result, a, &dir, &errors);
     schuler_result_free(result);
     outfile_drop(&errors);
@@ -176,7 +133,7 @@ exit_code verb_run(int argc, char **argv)
     arguments_parse(&argp, argc, argv, &a);
     schuler_scenario *scenario;
     exit_code code = scenario_input(a.file, &a.overrides, a.quiet, &scenario);
-    if (code == EXIT_DONE) code = simulate(scenario, &a);
+    if (code == EXIT_DONE) code = run(scenario, &a);
     schuler_scenario_free(scenario);
     schuler_plugins_free(a.plugins);
     return code;

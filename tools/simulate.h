@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT */
+/* The engine as a verb runs it: progress, Ctrl-C, messages. */
+#ifndef SCHULER_TOOLS_SIMULATE_H
+#define SCHULER_TOOLS_SIMULATE_H
+
+#include "scenarios/simulation.h"
+#include "tools/outfile.h"
+#include "tools/simulation_arguments.h"
+
+/** Simulate with the threads and instruction set that were asked for. Says what goes wrong.
+ *  Given      errors   a file for the errors over time, or NULL
+ *  Returned   out      owned by the caller when EXIT_DONE, else untouched */
+exit_code simulate(const schuler_scenario *scenario, const simulation_arguments *a, outfile *errors,
+                   schuler_result **out);
+
+#endif
