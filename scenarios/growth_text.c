@@ -43,9 +43,9 @@ static const schuler_growth_other others[] = {
       { .process = "a constant of the run",
         .first = "g W cos(L) psi t^3/6 at rest; in motion psi times the distance, across the track",
         .later =
-            "R W cos(L) psi (t - sin(w t)/w): the navigator's north gyro sees a part of the "
-            "earth's "
-            "rate that is not there, as a drift of W cos(L) psi about east. 1 mrad at 45 deg is "
+            "R W cos(L) psi (t - sin(w t)/w): the axis that is taken for east sees a part of the "
+            "earth's rate, W cos(L) psi, which passes for a turn: a drift, as of a gyro bias. 1 "
+            "mrad at 45 deg is "
             "0.0106 deg/h, 0.64 nmi/h.",
         .depends =
             "On cos(L), none at the poles. On motion: psi times the distance made good across "

@@ -21,6 +21,8 @@ static const verb verbs[] = {
     { "check", "validate scenario files; every mistake with its place", verb_check },
     { "sensors", "the catalog of real parts: list, show NAME", verb_sensors },
     { "models", "sensor models, trajectories, frames, gravity: list, show NAME", verb_models },
+    { "explain", "what an error source is, how its position error grows, how large it is",
+      verb_explain },
     { "truth", "write exact increments and the true trajectory of a scenario", verb_truth },
     { "navigate", "navigate over recorded increments, compare with a reference", verb_navigate },
     { "allan", "noise coefficients and a sensor file from recorded data at rest", verb_allan },

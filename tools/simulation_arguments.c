@@ -19,10 +19,11 @@ enum {
     KEY_PLUGIN
 };
 
-enum { OF_BUDGETS = 3 }; /* the first ones, for verbs that run any sources and write files */
+enum { OF_BUDGETS = 4 }; /* the first ones, for verbs that run any sources and write files */
 static const struct argp_option options[] = {
     { "only", KEY_ONLY, "SOURCE,...", 0, "only these error sources or groups", 0 },
     { "without", KEY_WITHOUT, "SOURCE,...", 0, "all but these", 0 },
+    { "quiet", 'q', NULL, 0, "only the verdict; no warnings, no progress", 0 },
     { NULL, 'o', "DIR", 0, "result files, with errors over time", 0 },
     { "imu", KEY_IMU, "NAME", 0, "another IMU: catalog name or file", 0 },
     { "runs", KEY_RUNS, "N", 0, "number of Monte Carlo runs", 0 },
@@ -32,7 +33,6 @@ static const struct argp_option options[] = {
     { "threads", KEY_THREADS, "N", 0, "threads; 0, the default: all processors", 0 },
     { "isa", KEY_ISA, "NAME", 0, "scalar, sse2, avx2 or avx512; same results", 0 },
     PLUGIN_OPTION(KEY_PLUGIN),
-    { "quiet", 'q', NULL, 0, "only the verdict; no warnings, no progress", 0 },
     { 0 },
 };
 

@@ -25,7 +25,7 @@ typedef struct {
 
 /* For .children of a verb's argp; its input must be a simulation_arguments. */
 extern const struct argp simulation_argp;
-/* The same without --only, --without and -o. */
+/* The same without --only, --without, -o and --quiet. */
 extern const struct argp simulation_argp_single;
 
 /** The overrides as switches ("--seed 7 --set 'a.b=1 m'"), for provenance; to be freed, NULL when
