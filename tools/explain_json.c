@@ -19,16 +19,18 @@ static json_t *at_rest(const explanation *e)
     const int n = explain_times(e->duration_s, times_s);
     json_t *rows = json_array();
     for (int i = 0; rows && i < n; i++) {
-        double m[SCHULER_GROWTH_LAWS];
-        for (int law = 0; law < SCHULER_GROWTH_LAWS; law++)
-            m[law] = schuler_growth_rms(&e->growth, &e->rest, (schuler_growth_law)law, &e->value,
-                                        times_s[i]);
-        rows = append(
-            rows, json_pack("{s:o, s:o, s:o, s:o}", "time_s", json_of_number(times_s[i]), "first_m",
-                            explain_early(times_s[i]) ? json_of_number(m[SCHULER_GROWTH_FIRST])
-                                                      : json_null(),
-                            "pendulum_m", json_of_number(m[SCHULER_GROWTH_PENDULUM]),
-                            "earth_rate_m", json_of_number(m[SCHULER_GROWTH_EARTH])));
+        json_t *m[SCHULER_GROWTH_LAWS];
+        for (int k = 0; k < SCHULER_GROWTH_LAWS; k++) {
+            const schuler_growth_law law = (schuler_growth_law)k;
+            m[k] = explain_holds(law, times_s[i])
+                       ? json_of_number(
+                             schuler_growth_rms(&e->growth, &e->rest, law, &e->value, times_s[i]))
+                       : json_null();
+        }
+        rows = append(rows, json_pack("{s:o, s:o, s:o, s:o}", "time_s", json_of_number(times_s[i]),
+                                      "first_m", m[SCHULER_GROWTH_FIRST], "pendulum_m",
+                                      m[SCHULER_GROWTH_PENDULUM], "earth_rate_m",
+                                      m[SCHULER_GROWTH_EARTH]));
     }
     return json_pack("{s:o, s:o, s:b, s:o}", "lat_deg",
                      json_of_number(e->rest.lat_rad / SCHULER_RAD_PER_DEG), "value",

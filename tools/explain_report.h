@@ -33,10 +33,11 @@ double explain_sampling_m(const schuler_budget_row *row);
 /** Times at which growth is shown, the duration last; how many. */
 enum { EXPLAIN_TIMES = 10 };
 int explain_times(double duration_s, double times_s[EXPLAIN_TIMES]);
-/** Whether the first law still says something: up to half an hour. */
-static inline bool explain_early(double t_s)
+/** Whether a law still holds: the first up to half an hour, the pendulum until the earth has turned by
+ *  a quarter. */
+static inline bool explain_holds(schuler_growth_law law, double t_s)
 {
-    return t_s <= 1800.0;
+    return law == SCHULER_GROWTH_EARTH || t_s <= (law == SCHULER_GROWTH_FIRST ? 1800.0 : 21600.0);
 }
 
 void explain_print(FILE *out, const explanation *e);

@@ -119,7 +119,7 @@ static void put_at_rest(FILE *out, const explanation *e)
         }
         fprintf(out, "  %-*s", TIME, shown);
         for (int law = 0; law < SCHULER_GROWTH_LAWS; law++)
-            if (law == SCHULER_GROWTH_FIRST && !explain_early(times_s[i]))
+            if (!explain_holds((schuler_growth_law)law, times_s[i]))
                 fprintf(out, "%*s", COLUMN, "-");
             else
                 put_metres(out, COLUMN,
