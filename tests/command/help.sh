@@ -7,8 +7,9 @@ grep -Eq '^schuler [0-9]+\.[0-9]+\.[0-9]+$' out || complain "version is '$(cat o
 expect 0 "$SCHULER" --help
 empty err
 cp out help
-for verb in run check sensors models truth navigate init; do
-    has help "  $verb "
+[ "$(wc -L <out)" -le 80 ] || complain "--help is wider than 80 columns"
+for verb in run check sensors models truth navigate allan explain characterize bench init; do
+    has help "  $verb"
     expect 0 "$SCHULER" $verb --help
     empty err
     has out "Usage: schuler $verb"
