@@ -31,7 +31,9 @@ set(SCHULER_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
 # To be called where schuler_objects was made: a generated file is known in that folder only.
 function(schuler_embed symbol header folder)
   set(files "")
-  foreach(word IN LISTS ARGN)
+  set(words ${ARGN})
+  list(SORT words) # the table is in order of the words, not of the files' names
+  foreach(word IN LISTS words)
     set(file ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${word}.yaml)
     if(EXISTS ${file})
       list(APPEND files ${file})
@@ -39,7 +41,6 @@ function(schuler_embed symbol header folder)
       message(STATUS "missing yet: ${folder}/${word}.yaml")
     endif()
   endforeach()
-  list(SORT files)
   string(REPLACE ";" "|" joined "${files}")
   set(output ${PROJECT_BINARY_DIR}/generated/${symbol}.c)
   add_custom_command(OUTPUT ${output}

@@ -98,6 +98,9 @@ typedef struct {
 /** true when every component is exactly zero (a source that does nothing). */
 SCHULER_API bool schuler_value_is_zero(const schuler_value *v, int components);
 
+/** Root mean square of a component over its draws. */
+SCHULER_API double schuler_value_rms(const schuler_value *v, int component);
+
 typedef struct schuler_arena schuler_arena; /* what a reader allocates, freed at once */
 SCHULER_API schuler_arena *schuler_arena_create(void);
 SCHULER_API void *schuler_arena_alloc(schuler_arena *arena,

@@ -12,6 +12,12 @@ bool schuler_value_is_zero(const schuler_value *v, int components)
     return true;
 }
 
+double schuler_value_rms(const schuler_value *v, int component)
+{
+    const double a = v->a[component], b = v->b[component];
+    return v->draw == SCHULER_DRAW_UNIFORM ? sqrt((a * a + a * b + b * b) / 3.0) : fabs(a);
+}
+
 /* A list as written: "[1 mg, 2 mg, 3 mg]"; a scalar as it is. */
 static const char *spell(schuler_reading *r, const schuler_node *node)
 {

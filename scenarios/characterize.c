@@ -13,7 +13,7 @@
 enum { TOGETHER = 8, THREADS_MAX = 64, PER_DECADE = 5 };
 
 typedef struct {
-    const schuler_imu *imu;
+    schuler_imu imu; /* that of the caller, with another specimen in each run */
     const schuler_characterize_options *options;
     schuler_characterized *result;
     error_source sources[SOURCES_MAX];
@@ -54,13 +54,13 @@ static schuler_status create_stand(job *j, int first, int units, schuler_stand *
     schuler_lane_spec *const specs = malloc(TOGETHER * sizeof *specs);
     if (!specs) return SCHULER_ERR_MEMORY;
     for (int u = 0; u < units; u++) {
-        schuler_lane_spec_start(&j->imu->triad[instrument], (uint64_t)(first + u), &specs[u]);
+        schuler_lane_spec_start(&j->imu.triad[instrument], (uint64_t)(first + u), &specs[u]);
         for (int i = 0; i < j->source_count; i++)
             if (j->sources[i].instrument == instrument)
                 schuler_lane_spec_draw(&j->sources[i], seed, &specs[u]);
     }
     const schuler_stand_setup setup = {
-        .chain = schuler_chain_setup_of(j->imu, instrument, schuler_isa_best(), j->result->dt_s,
+        .chain = schuler_chain_setup_of(&j->imu, instrument, schuler_isa_best(), j->result->dt_s,
                                         seed, &parts),
         .specs = specs,
         .specimens = (size_t)units,
@@ -192,7 +192,7 @@ static void summarise(const job *j)
         r->sigma2[p] = o.mean;
         r->sigma2_error[p] = o.mean_error;
         r->promised[p] =
-            schuler_promised_allan(j->imu, r->instrument, j->options, r->tau_s[p], r->dt_s);
+            schuler_promised_allan(&j->imu, r->instrument, j->options, r->tau_s[p], r->dt_s);
     }
 }
 
@@ -234,12 +234,13 @@ schuler_status schuler_characterize(schuler_characterized **out, const schuler_i
     job *const j = calloc(1, sizeof *j);
     schuler_characterized *const r = calloc(1, sizeof *r);
     if (j && r) {
-        *j = (job){ .imu = imu, .options = o, .result = r };
+        *j = (job){ .imu = *imu, .options = o, .result = r };
+        j->imu.unit = -1;
         r->instrument = instrument;
         r->dt_s = 1.0 / rate_hz;
         r->n = (int64_t)floor(o->duration_s * rate_hz * (1.0 + 1e-12));
         r->units = o->units;
-        j->source_count = schuler_sources_of_imu(imu, &o->only, &o->without, j->sources);
+        j->source_count = schuler_sources_of_imu(&j->imu, &o->only, &o->without, j->sources);
         status = allocate(j);
         if (status == SCHULER_OK) status = run(j);
         if (status == SCHULER_OK) summarise(j);

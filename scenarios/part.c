@@ -44,13 +44,11 @@ static const schuler_field fields[] = {
     { .key = "accel",
       .kind = SCHULER_FIELD_NODE,
       .offset = offsetof(part_file, triad[SCHULER_ACCEL]),
-      .required = true,
       .example = "{model: linear, bias: 50 ug}",
       .doc = "the accelerometers" },
     { .key = "gyro",
       .kind = SCHULER_FIELD_NODE,
       .offset = offsetof(part_file, triad[SCHULER_GYRO]),
-      .required = true,
       .example = "{model: linear, bias: 0.01 deg/h}",
       .doc = "the gyros" },
     { .key = NULL },
@@ -58,7 +56,7 @@ static const schuler_field fields[] = {
 
 static const schuler_object part_object = {
     .name = "part",
-    .doc = "an IMU: its models and their figures",
+    .doc = "an IMU, or accelerometers or gyros alone: models and their figures",
     .size = sizeof(part_file),
     .fields = fields,
 };
@@ -107,7 +105,7 @@ static void check_provenance(schuler_reading *r, const schuler_part *part, const
         const schuler_value *const v = &triad->values[i];
         if (!v->given) continue;
         if (v->source) check_source(r, part, v, what, params[i].key);
-        if (!strict) continue;
+        if (!strict || params[i].choices) continue; /* a word says how a figure is meant */
         if (!v->source && !v->assumed)
             schuler_diagnose(r->d, SCHULER_ERR_INPUT, &v->place,
                              "%s.%s: a catalog value needs 'source: NAME', or 'assumed: true' with "
@@ -126,6 +124,9 @@ void schuler_part_read(schuler_reading *r, const schuler_document *doc, const ch
     const schuler_status rc =
         schuler_schema_read(schuler_document_root(doc), "", &part_object, &file, r->arena, r->d);
     if (rc == SCHULER_ERR_MEMORY) return;
+    if (rc == SCHULER_OK && !file.triad[SCHULER_ACCEL] && !file.triad[SCHULER_GYRO])
+        schuler_diagnose(r->d, SCHULER_ERR_INPUT, &file.place,
+                         "part: 'accel', 'gyro' or both are needed");
     part->imu.name = name;
     part->imu.title = file.title ? file.title : name;
     part->imu.rate_hz = file.rate_hz;

@@ -15,13 +15,6 @@ static double setting(const schuler_triad *triad, const char *key)
     return 0.0;
 }
 
-/* Root mean square over the draws, of the first axis. */
-static double rms(const schuler_value *v)
-{
-    const double a = v->a[0], b = v->b[0];
-    return v->draw == SCHULER_DRAW_UNIFORM ? sqrt((a * a + a * b + b * b) / 3.0) : fabs(a);
-}
-
 /* Allan variance of one figure; 0 for what is no noise. */
 static double of_figure(const schuler_triad *triad, const char *key, double x, double tau_s,
                         double dt_s)
@@ -56,7 +49,7 @@ double schuler_promised_allan(const schuler_imu *imu, schuler_instrument instrum
     double sum = 0.0;
     for (int i = 0; i < count; i++)
         if (sources[i].instrument == instrument)
-            sum += of_figure(triad, triad->params[sources[i].param].key, rms(sources[i].value),
-                             tau_s, dt_s);
+            sum += of_figure(triad, triad->params[sources[i].param].key,
+                             schuler_value_rms(sources[i].value, 0), tau_s, dt_s);
     return sum;
 }

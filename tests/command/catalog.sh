@@ -5,17 +5,58 @@ expect 0 "$SCHULER" sensors
 cp out list
 expect 0 "$SCHULER" sensors list
 same out list
-awk 'NR > 2 && NF > 3 && /^  / { print $1 }' list >names
-[ "$(wc -l <names)" -ge 4 ] || complain "only $(wc -l <names) parts"
+[ "$(wc -L <list)" -le 100 ] || complain "sensors is wider than 100 columns"
+awk '/^  / { print $1 }' list >names
+[ "$(wc -l <names)" -ge 70 ] || complain "only $(wc -l <names) parts"
 small_scenario | sed 's/runs: 12/runs: 2/' >mission.yaml
+expect 0 "$SCHULER" sensors --kind imu
+awk '/^  / { print $1 }' out >imus
+[ "$(wc -l <imus)" -ge 25 ] || complain "only $(wc -l <imus) IMUs"
 while read -r part; do
     expect 0 "$SCHULER" sensors show "$part"
-    has out "gyro, model"
     has out "Sources"
-    expect 0 "$SCHULER" run mission.yaml --imu "$part"
 done <names
+while read -r part; do
+    expect 0 "$SCHULER" run mission.yaml --imu "$part"
+    lacks err "catalog:"
+done <imus
+# Accelerometers and gyros of their own makers in one IMU; half an IMU is not enough.
+expect 0 "$SCHULER" run mission.yaml --set "imu.accel={use: ms1010}" --set "imu.gyro={use: stim210}"
+has out "accel.bias"
+expect 2 "$SCHULER" run mission.yaml --imu ms1010
+has err "gyro"
+expect 2 "$SCHULER" run mission.yaml --set "imu.gyro={use: ms1010}"
+has err "has no gyros"
 expect 0 "$SCHULER" sensors show hg9900
-has out "* assumed"
+has out "* Assumed"
+has out "accel.misalignment: "
+
+# Filters, files and differences.
+expect 0 "$SCHULER" sensors --grade navigation --kind imu --json - --csv t.csv
+[ "$(json out format)" = schuler-sensors-1 ] || complain "sensors --json - is not JSON alone"
+[ "$(json out sensors 0 name)" = hg9900 ] || complain "hg9900 is not the first navigation-grade IMU"
+[ "$(json out sensors 0 gyro_bias)" = "0.0035 deg/h 1σ" ] || complain "gyro_bias in JSON"
+has t.csv 'name,title,kind,grade'
+has t.csv '"ln-100"'
+expect 0 "$SCHULER" sensors --technology FOG
+has out "astrix-200"
+lacks out "hg4930"
+expect 0 "$SCHULER" sensors --maker honeywell
+has out "hg4930-c"
+lacks out "bmi088"
+expect 2 "$SCHULER" sensors --maker nobody
+has err "no part"
+expect 2 "$SCHULER" sensors --grade tacticle
+has err "did you mean 'tactical'?"
+expect 2 "$SCHULER" sensors --kind radar
+expect 0 "$SCHULER" sensors diff stim300 hg4930-c
+grep -q '^    bias  *4 deg/h 1σ  *7 deg/h 1σ  *1.75$' out || complain "the ratio of two biases"
+has out "g_sensitivity"
+[ "$(wc -L <out)" -le 100 ] || complain "sensors diff is wider than 100 columns"
+expect 2 "$SCHULER" sensors diff stim300
+expect 2 "$SCHULER" sensors diff stim300 hg4930
+has err "did you mean 'hg4930-"
+expect 2 "$SCHULER" sensors show hg9900 --grade tactical
 expect 2 "$SCHULER" sensors show hg990
 has err "did you mean 'hg9900'?"
 expect 2 "$SCHULER" sensors show ./nothere.yaml

@@ -41,6 +41,11 @@ expect 0 "$SCHULER" characterize two.yaml --only accel.bias --json c.json
 within noise most 0 1e-9
 expect 0 "$SCHULER" characterize two.yaml --without accel.bias --json c.json
 within output spread 0 0.001
+expect 0 "$SCHULER" characterize paper --units 8 --for 0.1s --json c.json
+[ "$(json c.json sensors)" = 10 ] || complain "the paper has ten sensors"
+expect 0 "$SCHULER" characterize ms1010
+expect 2 "$SCHULER" characterize ms1010 --instrument gyro
+has err "'ms1010' has no gyro"
 if command -v gnuplot >/dev/null; then
     expect 0 "$SCHULER" characterize two.yaml stim300 --plot p.svg
     has p.svg "<svg"
