@@ -28,6 +28,10 @@ static int figures_of(const schuler_triad *t)
             assert_false(schuler_value_is_zero(v, t->params[k].components));
         }
         assert_true(!v->assumed || v->note != NULL);
+        /* what a setting or the printed table of the paper says has none */
+        if (t->params[k].number && v->source && strcmp(v->source, "paper") != 0 &&
+            v->qualifier == NULL)
+            fail_msg("%s has no qualifier", t->params[k].key);
     }
     return given;
 }
