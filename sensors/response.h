@@ -7,10 +7,12 @@
 
 SCHULER_BEGIN_C
 
-/* One step for an input u that is constant over it: (y, y')_2 = phi (y, y')_1 + gamma u, and the
- * integral of y over the step is that of u less keep . ((y, y')_2 - (y, y')_1). */
+/* One step for an input u: (y, y')_2 = phi (y, y')_1 + sum of node_j u_j, u_j the input at the three
+ * Gauss-Legendre nodes of the step, exact when u is a parabola there. The nodes add up to gamma, what
+ * an input does that is constant over the step. For any input the integral of y over the step is that
+ * of u less keep . ((y, y')_2 - (y, y')_1). */
 typedef struct {
-    double phi[2][2], gamma[2], keep[2];
+    double phi[2][2], gamma[2], keep[2], node[3][2];
 } schuler_response;
 
 /** H(s) = w^2/(s^2 + 2 zeta w s + w^2), w = 2 pi f.

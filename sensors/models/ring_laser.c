@@ -106,7 +106,7 @@ static void lock(const ring_laser *m, const schuler_model_block *b, int axis)
     double *const out = b->out + axis * b->stride * SCHULER_LANES;
     for (int k = 0; k < b->n; k++) {
         const lanes y = lanes_load(out + k * SCHULER_LANES);
-        const lanes error = instant_error(b, axis, k, y);
+        const lanes error = instant_error(b, SCHULER_GYRO, axis, k, y);
         lanes sum = zero;
         for (int j = 0; j < v->nodes; j++) {
             const lanes W = instant_value(b, SCHULER_GYRO, axis, k, j, error), a = lanes_abs(W);

@@ -39,7 +39,7 @@ static void apply(void *state, const schuler_model_block *b)
         double *const out = b->out + axis * b->stride * SCHULER_LANES;
         for (int k = 0; k < b->n; k++) {
             const lanes y = lanes_load(out + k * SCHULER_LANES);
-            const lanes error = instant_error(b, axis, k, y);
+            const lanes error = instant_error(b, m->instrument, axis, k, y);
             lanes lost = zero;
             for (int j = 0; j < b->view->nodes; j++) {
                 const lanes x = instant_value(b, m->instrument, axis, k, j, error);

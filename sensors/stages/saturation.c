@@ -50,7 +50,7 @@ static void apply(void *state, const schuler_model_block *b)
         const lanes range = m->range[axis];
         for (int k = 0; k < b->n; k++) {
             const lanes y = lanes_load(out + k * SCHULER_LANES);
-            const lanes error = instant_error(b, axis, k, y);
+            const lanes error = instant_error(b, m->instrument, axis, k, y);
             lanes over = zero, any = zero;
             for (int j = 0; j < b->view->nodes; j++) {
                 const lanes x = instant_value(b, m->instrument, axis, k, j, error);

@@ -6,23 +6,14 @@
  * make Student's t = (M - theory) sqrt(SERIES)/S with SERIES - 1 degrees of freedom. The longest tau
  * still has 40 windows in a series, so that S is that of a nearly normal number. 99.99 % of t lie within
  * 4.74 for 23 degrees of freedom. */
-#include "check.h"
+#include "one_triad.h"
 #include "sensors/allan.h"
-#include "sensors/chain.h"
 #include "sensors/processes.h"
-#include "sensors/stand.h"
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { SPECIMENS = 8, SERIES = 3 * SPECIMENS, WINDOWS = 40, DECADES = 4, POINTS = 3 * DECADES + 1 };
 static const double STUDENT = 4.74;
 static const double RATES_S[3] = { 0.0025, 0.01, 0.1 };
-
-typedef struct {
-    const char *key;
-    double value;
-} setting;
 
 static void at_rest(void *user, double t_s, double f_ib_b[3], double omega_ib_b[3])
 {
@@ -32,49 +23,17 @@ static void at_rest(void *user, double t_s, double f_ib_b[3], double omega_ib_b[
 }
 
 /* SERIES series of n increments, one after the other, of the gyro triad `linear` with these keys. */
-static double *simulate(const setting *keys, int count, double dt_s, int64_t n)
+static double *simulate(const triad_key *keys, int count, double dt_s, int64_t n)
 {
-    const schuler_isa isa = schuler_isa_best();
-    const schuler_sensor_model *const model =
-        schuler_sensor_models(isa)[schuler_sensor_model_find("linear")];
-    static schuler_param params[SCHULER_PARAMS_MAX + 1];
-    static schuler_lane_spec settings, specs[SPECIMENS];
-    bool given[SCHULER_PARAMS_MAX] = { false };
-    assert_true(schuler_chain_params(model, SCHULER_GYRO, params) > 0);
-    memset(&settings, 0, sizeof(settings));
-    for (int k = 0; params[k].key; k++) {
-        double value = params[k].number ? 0.0 : params[k].def;
-        for (int i = 0; i < count; i++)
-            if (strcmp(keys[i].key, params[k].key) == 0) value = keys[i].value, given[k] = true;
-        for (int c = 0; c < params[k].components; c++) settings.value[k][c] = value;
-    }
-    for (int r = 0; r < SPECIMENS; r++) {
-        specs[r] = settings;
-        specs[r].run = (uint64_t)r;
-    }
-    const schuler_stand_setup setup = { .chain = { .model = model,
-                                                   .instrument = SCHULER_GYRO,
-                                                   .isa = isa,
-                                                   .dt_s = dt_s,
-                                                   .seed = 20,
-                                                   .settings = &settings,
-                                                   .given = given },
-                                        .specs = specs,
-                                        .specimens = SPECIMENS,
-                                        .input = at_rest };
-    schuler_stand *stand = NULL;
-    assert_int_equal(schuler_stand_create(&stand, &setup, NULL), SCHULER_OK);
-    double *const y = malloc((size_t)(SERIES * n) * sizeof(double));
-    assert_non_null(y);
-    static double block[SERIES][SCHULER_BLOCK];
-    for (int64_t k = 0; k < n; k += SCHULER_BLOCK) {
-        const int some = n - k < SCHULER_BLOCK ? (int)(n - k) : SCHULER_BLOCK;
-        schuler_stand_next(stand, some, block[0]);
-        for (int s = 0; s < SERIES; s++)
-            memcpy(&y[s * n + k], block[s], (size_t)some * sizeof(double));
-    }
-    schuler_stand_free(stand);
-    return y;
+    const triad_job job = { .model = "linear",
+                            .instrument = SCHULER_GYRO,
+                            .keys = keys,
+                            .count = count,
+                            .specimens = SPECIMENS,
+                            .dt_s = dt_s,
+                            .n = n,
+                            .input = at_rest };
+    return triad_measure(&job);
 }
 
 static int64_t samples(void)
@@ -133,7 +92,7 @@ static void white(void **state)
 {
     (void)state;
     for (int r = 0; r < 3; r++) {
-        const setting keys[] = { { "angle_random_walk", 2e-5 } };
+        const triad_key keys[] = { { "angle_random_walk", 2e-5, NULL } };
         compare(simulate(keys, 1, RATES_S[r], samples()), RATES_S[r], white_theory, 0.0);
     }
 }
@@ -149,8 +108,8 @@ static void flicker(void **state)
 {
     (void)state;
     for (int r = 0; r < 3; r++) {
-        const setting keys[] = { { "bias_instability", 3e-6 },
-                                 { "bias_instability_longest", 4e6 } };
+        const triad_key keys[] = { { "bias_instability", 3e-6, NULL },
+                                   { "bias_instability_longest", 4e6, NULL } };
         compare(simulate(keys, 2, RATES_S[r], samples()), RATES_S[r], flicker_theory, 1.5e-3);
     }
 }
@@ -164,7 +123,7 @@ static void random_walk(void **state)
 {
     (void)state;
     for (int r = 0; r < 3; r++) {
-        const setting keys[] = { { "bias_random_walk", 1e-7 } };
+        const triad_key keys[] = { { "bias_random_walk", 1e-7, NULL } };
         compare(simulate(keys, 1, RATES_S[r], samples()), RATES_S[r], walk_theory, 0.0);
     }
 }
@@ -188,7 +147,8 @@ static void gauss_markov(void **state)
     for (int r = 0; r < 3; r++) {
         static const double in_samples[3] = { 0.5, 20.0, 1000.0 };
         time_s = in_samples[r] * RATES_S[r];
-        const setting keys[] = { { "gauss_markov", 1e-4 }, { "gauss_markov_time", time_s } };
+        const triad_key keys[] = { { "gauss_markov", 1e-4, NULL },
+                                   { "gauss_markov_time", time_s, NULL } };
         compare(simulate(keys, 2, RATES_S[r], samples()), RATES_S[r], markov_theory, 0.0);
     }
 }
@@ -199,7 +159,8 @@ static void gauss_markov_2(void **state)
     for (int r = 0; r < 3; r++) {
         static const double in_samples[3] = { 0.5, 20.0, 1000.0 };
         time_s = in_samples[r] * RATES_S[r];
-        const setting keys[] = { { "gauss_markov_2", 1e-4 }, { "gauss_markov_2_time", time_s } };
+        const triad_key keys[] = { { "gauss_markov_2", 1e-4, NULL },
+                                   { "gauss_markov_2_time", time_s, NULL } };
         compare(simulate(keys, 2, RATES_S[r], samples()), RATES_S[r], markov_2_theory, 0.0);
     }
 }
@@ -216,8 +177,8 @@ static void quantization(void **state)
     (void)state;
     for (int r = 0; r < 3; r++) {
         const int64_t n = samples();
-        const setting keys[] = { { "angle_random_walk", 2e-5 / sqrt(RATES_S[r]) },
-                                 { "quantization", 1e-6 } };
+        const triad_key keys[] = { { "angle_random_walk", 2e-5 / sqrt(RATES_S[r]), NULL },
+                                   { "quantization", 1e-6, NULL } };
         double *const counted = simulate(keys, 2, RATES_S[r], n);
         double *const smooth = simulate(keys, 1, RATES_S[r], n);
         for (int64_t k = 0; k < SERIES * n; k++) counted[k] -= smooth[k];
@@ -237,7 +198,7 @@ static double transient_integral(double t_s)
     return 1e-4 * 30.0 * -expm1(-t_s / 30.0);
 }
 
-static void check_integral(const setting *keys, int count, double (*integral)(double t_s))
+static void check_integral(const triad_key *keys, int count, double (*integral)(double t_s))
 {
     enum { N = 40000 };
     for (int r = 0; r < 3; r++) {
@@ -259,8 +220,9 @@ static void check_integral(const setting *keys, int count, double (*integral)(do
 static void ramp_and_transient(void **state)
 {
     (void)state;
-    const setting ramp[] = { { "bias_ramp", 1e-7 } };
-    const setting transient[] = { { "thermal_transient", 1e-4 }, { "thermal_transient_time", 30 } };
+    const triad_key ramp[] = { { "bias_ramp", 1e-7, NULL } };
+    const triad_key transient[] = { { "thermal_transient", 1e-4, NULL },
+                                    { "thermal_transient_time", 30, NULL } };
     check_integral(ramp, 1, ramp_integral);
     check_integral(transient, 2, transient_integral);
 }
@@ -278,7 +240,7 @@ static void sinusoid(void **state)
     (void)state;
     const double dt_s = 0.01;
     const int64_t n = samples();
-    const setting keys[] = { { "sinusoid", 1e-4 }, { "sinusoid_frequency", 0.125 } };
+    const triad_key keys[] = { { "sinusoid", 1e-4, NULL }, { "sinusoid_frequency", 0.125, NULL } };
     double *const y = simulate(keys, 2, dt_s, n), *const phase = malloc((size_t)(n + 1) * 8);
     assert_non_null(phase);
     for (int s = 0; s < SERIES; s++) {
