@@ -42,10 +42,10 @@ static void put_script(FILE *out, const void *what)
         const char *comma = "";
         for (int i = 0; i < r->found->columns; i++) {
             if ((int)r->recording->column[i].instrument != k) continue;
-            fprintf(out, "%s$c%d using 1:2:3:4 with yerrorbars pt 7 ps 0.4 lc %d title ", comma, i,
+            fprintf(out, "%s$c%d using 1:2:3:4 with yerrorbars lt %d pt 7 ps 0.4 title ", comma, i,
                     i + 1);
             gnuplot_quote(out, r->recording->column[i].name);
-            fprintf(out, ", $c%d using 1:5 with lines lc %d notitle", i, i + 1);
+            fprintf(out, ", $c%d using 1:5 with lines lt %d notitle", i, i + 1);
             comma = ", ";
         }
         fputc('\n', out);

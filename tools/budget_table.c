@@ -204,7 +204,9 @@ bool budget_table(FILE *out, const schuler_result *result, bool all)
     put_rule(out);
     put_sums(&l, result);
     put_clipped(out, result);
-    if (assumed) fputs("\n  * assumed: not a published figure, or not as one (schuler sensors show NAME)\n", out);
+    if (assumed)
+        fputs("\n  * assumed: not a published figure, or not as one (schuler sensors show NAME)\n",
+              out);
     free(rows);
     return true;
 }

@@ -43,22 +43,20 @@ static void put_script(FILE *out, const void *what)
         put_series(out, r->sensor[i].found, i, u.output_si);
         put_allan(out, r->sensor[i].found, i, u.noise_si);
     }
-    fputs("set multiplot layout 1,2\nset grid\nset key noenhanced\n", out);
+    fputs("set multiplot layout 1,2\nset grid\nunset key\nset autoscale xfix\n", out);
     fprintf(out, "set xlabel 'time, s'\nset ylabel 'output of the first unit, %s'\nplot ",
             u.output);
-    for (int i = 0; i < r->count; i++) {
-        fprintf(out, "%s$s%d using 1:2 with lines lc %d title ", i ? ", " : "", i, i + 1);
-        gnuplot_quote(out, r->sensor[i].imu->name);
-    }
+    for (int i = 0; i < r->count; i++)
+        fprintf(out, "%s$s%d using 1:2 with lines lt %d", i ? ", " : "", i, i + 1);
     fprintf(out,
-            "\nset logscale xy\nset xlabel 'tau, s'\n"
+            "\nset logscale xy\nset key noenhanced outside right center\nset xlabel 'tau, s'\n"
             "set ylabel 'Allan deviation, %s (lines: data sheet)'\nplot ",
             u.noise);
     for (int i = 0; i < r->count; i++) {
-        fprintf(out, "%s$a%d using 1:2 with points pt 7 ps 0.4 lc %d title ", i ? ", " : "", i,
+        fprintf(out, "%s$a%d using 1:2 with points lt %d pt 7 ps 0.5 title ", i ? ", " : "", i,
                 i + 1);
         gnuplot_quote(out, r->sensor[i].imu->name);
-        fprintf(out, ", $a%d using 1:3 with lines lc %d notitle", i, i + 1);
+        fprintf(out, ", $a%d using 1:3 with lines lt %d notitle", i, i + 1);
     }
     fputs("\nunset multiplot\n", out);
 }

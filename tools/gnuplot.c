@@ -44,6 +44,18 @@ static exit_code run(FILE *script, FILE *picture)
     return EXIT_DONE;
 }
 
+/* Twelve line colours that are told apart on white; later lines begin anew. */
+static void put_colours(FILE *script)
+{
+    static const char *const colours[] = { "#1f77b4", "#d62728", "#2ca02c", "#ff7f0e",
+                                           "#9467bd", "#8c564b", "#e377c2", "#7f7f7f",
+                                           "#bcbd22", "#17becf", "#000000", "#00429d" };
+    enum { COUNT = sizeof colours / sizeof colours[0] };
+    for (int i = 0; i < COUNT; i++)
+        fprintf(script, "set linetype %d lc rgb '%s'\n", i + 1, colours[i]);
+    fprintf(script, "set linetype cycle %d\n", COUNT);
+}
+
 exit_code gnuplot_draw(const char *path, int width, int height, void (*put)(FILE *, const void *),
                        const void *what)
 {
@@ -53,6 +65,7 @@ exit_code gnuplot_draw(const char *path, int width, int height, void (*put)(FILE
     if (!script) return say_failure("--plot: %s", strerror(errno));
     fprintf(script, "set terminal %s size %d,%d\n",
             end && strcmp(end, ".png") == 0 ? "pngcairo" : "svg", width, height);
+    put_colours(script);
     put(script, what);
     rewind(script);
     exit_code code = ferror(script) ? say_failure("--plot: cannot write to a temporary file")
