@@ -96,8 +96,9 @@ static const char *suffix(const allan_report *r, int column)
     return r->recording->column[column].instrument == SCHULER_GYRO ? "radps" : "mps2";
 }
 
-void allan_put_deviations(FILE *out, const allan_report *r)
+void allan_put_deviations(FILE *out, const void *report)
 {
+    const allan_report *const r = report;
     static const char *const what[] = { "deviation", "lower", "upper", "fit" };
     const schuler_identified *const f = r->found;
     fputs("tau_s", out);
@@ -116,8 +117,9 @@ void allan_put_deviations(FILE *out, const allan_report *r)
     }
 }
 
-void allan_put_spectrum(FILE *out, const allan_report *r)
+void allan_put_spectrum(FILE *out, const void *report)
 {
+    const allan_report *const r = report;
     const schuler_identified *const f = r->found;
     fputs("frequency_hz", out);
     for (int i = 0; i < f->columns; i++)

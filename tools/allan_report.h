@@ -33,10 +33,11 @@ void allan_time(char *text, size_t size, double t_s);
 
 exit_code allan_print(const allan_report *r, int with_spectrum);
 json_t *allan_json(const allan_report *r);
+/* Tables for outfile_write, of an allan_report. */
 /** Deviations with their limits and fit, SI. */
-void allan_put_deviations(FILE *out, const allan_report *r);
+void allan_put_deviations(FILE *out, const void *report);
 /** Densities at every frequency, two-sided, SI. */
-void allan_put_spectrum(FILE *out, const allan_report *r);
+void allan_put_spectrum(FILE *out, const void *report);
 
 /** A sensor file of what was fitted.
  *  Returned   EXIT_INPUT when an instrument has neither one nor three columns: said */

@@ -76,8 +76,9 @@ static void put_over_units(FILE *out, const schuler_over_units *x)
             x->spread_error, x->least, x->most);
 }
 
-void characterize_put_table(FILE *out, const characterize_report *r)
+void characterize_put_table(FILE *out, const void *report)
 {
+    const characterize_report *const r = report;
     fputs("sensor,rate_hz,samples,units", out);
     put_columns(out, "output", suffix(r));
     put_columns(out, "noise", suffix(r));
@@ -92,8 +93,9 @@ void characterize_put_table(FILE *out, const characterize_report *r)
     }
 }
 
-void characterize_put_series(FILE *out, const characterize_report *r)
+void characterize_put_series(FILE *out, const void *report)
 {
+    const characterize_report *const r = report;
     fprintf(out, "sensor,time_s,output_%s\n", suffix(r));
     for (int i = 0; i < r->count; i++) {
         const schuler_characterized *const f = r->sensor[i].found;
@@ -103,8 +105,9 @@ void characterize_put_series(FILE *out, const characterize_report *r)
     }
 }
 
-void characterize_put_allan(FILE *out, const characterize_report *r)
+void characterize_put_allan(FILE *out, const void *report)
 {
+    const characterize_report *const r = report;
     fprintf(out, "sensor,tau_s,simulated_%s,error_%s,data_sheet_%s\n", suffix(r), suffix(r),
             suffix(r));
     for (int i = 0; i < r->count; i++) {

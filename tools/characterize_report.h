@@ -31,12 +31,13 @@ characterize_units characterize_units_of(schuler_instrument instrument);
 
 exit_code characterize_print(const characterize_report *r);
 json_t *characterize_json(const characterize_report *r);
+/* Tables for outfile_write, of a characterize_report. */
 /** One row for each sensor, SI. */
-void characterize_put_table(FILE *out, const characterize_report *r);
+void characterize_put_table(FILE *out, const void *report);
 /** sensor, time, output of the first unit, SI. */
-void characterize_put_series(FILE *out, const characterize_report *r);
+void characterize_put_series(FILE *out, const void *report);
 /** sensor, tau, Allan deviation simulated with its error, and by the data sheet, SI. */
-void characterize_put_allan(FILE *out, const characterize_report *r);
+void characterize_put_allan(FILE *out, const void *report);
 /** Time series and Allan deviations side by side, to a file that ends with .svg or .png. */
 exit_code characterize_plot(const characterize_report *r, const char *path);
 

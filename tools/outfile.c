@@ -86,3 +86,15 @@ void outfile_drop(outfile *o)
     free(o->target);
     *o = (outfile){ 0 };
 }
+
+exit_code outfile_write(const char *path, void (*put)(FILE *, const void *), const void *what)
+{
+    outfile file = { 0 };
+    exit_code code = outfile_open(&file, path);
+    if (code == EXIT_DONE) {
+        put(file.file, what);
+        code = outfile_publish(&file);
+    }
+    outfile_drop(&file);
+    return code;
+}

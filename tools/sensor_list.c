@@ -165,8 +165,9 @@ static void put_field(FILE *out, const char *text)
     fputc('"', out);
 }
 
-static void put_csv(FILE *out, const part_list *l)
+static void put_csv(FILE *out, const void *list)
 {
+    const part_list *const l = list;
     fputs("name,title,kind,grade,maker,technology", out);
     for (int k = 0; k < FIGURES; k++) fprintf(out, ",%s", figures[k].name);
     fputc('\n', out);
@@ -184,18 +185,6 @@ static void put_csv(FILE *out, const part_list *l)
         }
         fputc('\n', out);
     }
-}
-
-static exit_code write_csv(const part_list *l, const char *path)
-{
-    outfile file = { 0 };
-    exit_code code = outfile_open(&file, path);
-    if (code == EXIT_DONE) {
-        put_csv(file.file, l);
-        code = outfile_publish(&file);
-    }
-    outfile_drop(&file);
-    return code;
 }
 
 static exit_code print(const part_list *l)
@@ -217,7 +206,7 @@ exit_code sensor_list(const sensor_filter *filter, const char *csv, const char *
     exit_code code = load(&l, filter);
     if (code == EXIT_DONE && l.count == 0)
         code = say_bad_input("no part of the catalog is all of that; 'schuler sensors' lists them");
-    if (code == EXIT_DONE && csv) code = write_csv(&l, csv);
+    if (code == EXIT_DONE && csv) code = outfile_write(csv, put_csv, &l);
     if (code == EXIT_DONE && json) code = json_write(as_json(&l), json);
     if (code == EXIT_DONE && !is_output(csv) && !is_output(json)) code = print(&l);
     release(&l);

@@ -214,19 +214,6 @@ static exit_code write_sensor(const allan_report *r, const allan_arguments *a)
     return code;
 }
 
-static exit_code write_table(const allan_report *r, const char *path,
-                             void (*put)(FILE *, const allan_report *))
-{
-    outfile file = { 0 };
-    exit_code code = outfile_open(&file, path);
-    if (code == EXIT_DONE) {
-        put(file.file, r);
-        code = outfile_publish(&file);
-    }
-    outfile_drop(&file);
-    return code;
-}
-
 /* What the five terms cannot explain. */
 static void doubt_fit(const allan_report *r)
 {
@@ -246,8 +233,8 @@ static exit_code deliver(const allan_report *r, const allan_arguments *a)
     exit_code code = EXIT_DONE;
     if (!a->quiet) doubt_fit(r);
     if (a->out) code = write_sensor(r, a);
-    if (code == EXIT_DONE && a->csv) code = write_table(r, a->csv, allan_put_deviations);
-    if (code == EXIT_DONE && a->psd_csv) code = write_table(r, a->psd_csv, allan_put_spectrum);
+    if (code == EXIT_DONE && a->csv) code = outfile_write(a->csv, allan_put_deviations, r);
+    if (code == EXIT_DONE && a->psd_csv) code = outfile_write(a->psd_csv, allan_put_spectrum, r);
     if (code == EXIT_DONE && a->plot) code = allan_plot(r, a->plot);
     if (code == EXIT_DONE && a->json) code = json_write(allan_json(r), a->json);
     if (code == EXIT_DONE && !a->quiet && !(a->json && strcmp(a->json, "-") == 0))

@@ -146,25 +146,12 @@ static exit_code measure(characterize_arguments *a, schuler_part *const part[],
     return EXIT_DONE;
 }
 
-static exit_code write_table(const characterize_report *r, const char *path,
-                             void (*put)(FILE *, const characterize_report *))
-{
-    outfile file = { 0 };
-    exit_code code = outfile_open(&file, path);
-    if (code == EXIT_DONE) {
-        put(file.file, r);
-        code = outfile_publish(&file);
-    }
-    outfile_drop(&file);
-    return code;
-}
-
 static exit_code deliver(const characterize_report *r, const characterize_arguments *a)
 {
     exit_code code = EXIT_DONE;
-    if (a->csv) code = write_table(r, a->csv, characterize_put_table);
-    if (code == EXIT_DONE && a->series) code = write_table(r, a->series, characterize_put_series);
-    if (code == EXIT_DONE && a->allan) code = write_table(r, a->allan, characterize_put_allan);
+    if (a->csv) code = outfile_write(a->csv, characterize_put_table, r);
+    if (code == EXIT_DONE && a->series) code = outfile_write(a->series, characterize_put_series, r);
+    if (code == EXIT_DONE && a->allan) code = outfile_write(a->allan, characterize_put_allan, r);
     if (code == EXIT_DONE && a->plot) code = characterize_plot(r, a->plot);
     if (code == EXIT_DONE && a->json) code = json_write(characterize_json(r), a->json);
     if (code == EXIT_DONE && !a->quiet && !(a->json && strcmp(a->json, "-") == 0))
