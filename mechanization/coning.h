@@ -35,9 +35,11 @@ typedef struct {
     lanes3 p, e, f;
 } coning_before;
 
-/* `order` is a constant where this is inlined. */
+/* `order` is a constant where this is inlined: 1 is no correction at all. */
 LANES_INLINE coning_before coning_look_back(const lanes3 past[SCHULER_PRIME], int order)
 {
+    const lanes zero = lanes_set(0.0);
+    if (order == 1) return (coning_before){ .p = { zero, zero, zero } };
     if (order == 2) return (coning_before){ .p = lanes3_scale(lanes_set(1.0 / 12.0), past[0]) };
     return (coning_before){
         .p = lanes3_add(lanes3_add(lanes3_scale(lanes_set(473.0 / 1890.0), past[0]),
@@ -54,7 +56,7 @@ LANES_INLINE coning_sums coning_first(coning_sample s, coning_before d, coning_b
 {
     lanes3 beta = lanes3_cross(d.p, s.d);
     lanes3 scul = lanes3_add_cross(lanes3_cross(d.p, s.u), u.p, s.d);
-    if (order != 2) {
+    if (order == 4) {
         beta = lanes3_add_cross(beta, d.e, d.f);
         scul = lanes3_add_cross(lanes3_add_cross(scul, d.e, u.f), u.e, d.f);
     }

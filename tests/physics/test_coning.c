@@ -4,37 +4,23 @@
 #define SCHULER_LANES      1
 #define SCHULER_ISA_SUFFIX test
 #include "check.h"
-#include "core/earth.h"
-#include "mechanization/coning.h"
-#include "mechanization/rotation.h"
+#include "strapdown.h"
 
 /* A motion gives its increments over [t1, t2]: closed forms. */
 typedef coning_sample (*motion)(double t1, double t2);
 
 static const double coning_rad = 2e-3, coning_rps = 2.0 * SCHULER_PI * 5.0;
 
-/* Pure coning, half angle a: reference section 9.4. */
-static coning_sample coning_of(double a, double t1, double t2)
-{
-    const double W = coning_rps;
-    return (coning_sample){ .d = { sin(a) * (cos(W * t2) - cos(W * t1)),
-                                   sin(a) * (sin(W * t2) - sin(W * t1)),
-                                   -W * (1.0 - cos(a)) * (t2 - t1) } };
-}
-
 static coning_sample pure_coning(double t1, double t2)
 {
-    return coning_of(coning_rad, t1, t2);
+    return coning_increment(coning_rad, coning_rps, t1, t2);
 }
 
 static const double sculling_rad = 0.01, sculling_mps2 = 10.0;
 
-/* theta_x = A sin Wt, f_y = D sin Wt: section 9.5. */
 static coning_sample sculling(double t1, double t2)
 {
-    const double A = sculling_rad, D = sculling_mps2, W = coning_rps;
-    return (coning_sample){ .d = { A * (sin(W * t2) - sin(W * t1)), 0.0, 0.0 },
-                            .u = { 0.0, D / W * (cos(W * t1) - cos(W * t2)), 0.0 } };
+    return sculling_increment(sculling_rad, sculling_mps2, coning_rps, t1, t2);
 }
 
 /* Savage's SPIN-CONE: section 9.6. */
@@ -50,14 +36,6 @@ typedef struct {
     lanes_quat q;
     lanes3 v; /* in the frame of the start */
 } navigator;
-
-static lanes_quat multiply_increment(lanes_quat q, lanes_quat d)
-{
-    return (lanes_quat){ q.w + (q.w * d.w - q.x * d.x - q.y * d.y - q.z * d.z),
-                         q.x + (q.w * d.x + q.x * d.w + q.y * d.z - q.z * d.y),
-                         q.y + (q.w * d.y - q.x * d.z + q.y * d.w + q.z * d.x),
-                         q.z + (q.w * d.z + q.x * d.y - q.y * d.x + q.z * d.w) };
-}
 
 /* Attitude and velocity after `cycles` cycles of `samples` samples of h each; primed. */
 static navigator navigate(motion m, lanes_quat start, double h, int cycles, int samples, int order)
@@ -113,7 +91,7 @@ static void quaternion_increment_is_the_rotation(void **state)
 static void coning_increments_are_the_reference_values(void **state)
 {
     (void)state;
-    const coning_sample s = coning_of(SCHULER_PI / 180.0, 0.10, 0.11);
+    const coning_sample s = coning_increment(SCHULER_PI / 180.0, coning_rps, 0.10, 0.11);
     CHECK_REL(s.d.x, 0.000854181570073543, 1e-12);
     CHECK_REL(s.d.y, -0.00539309018185934, 1e-12);
     CHECK_REL(s.d.z, -4.78479777787425e-5, 1e-12);
@@ -146,7 +124,7 @@ static double coning_drift(double h, int samples, int order)
     const int cycles = (int)lround(1.0 / (h * samples));
     const lanes_quat start = { cos(0.5 * coning_rad), sin(0.5 * coning_rad), 0.0, 0.0 };
     const navigator n = navigate(pure_coning, start, h, cycles, samples, order);
-    return 2.0 * (start.w * n.q.z - n.q.w * start.z - start.x * n.q.y + start.y * n.q.x);
+    return turned_about_z(start, n.q);
 }
 
 static void coning_leaves_what_the_theory_says(void **state)
