@@ -6,6 +6,7 @@
 
 #include "core/gravity.h"
 #include "core/isa.h"
+#include "mechanization/algorithms.h"
 #include <stddef.h>
 #include <stdint.h>
 
@@ -21,9 +22,11 @@ typedef struct {
 enum { SCHULER_PRIME = 3 }; /* samples before the start that the highest order looks back at */
 
 typedef struct {
-    double dt_s;                          /* sample interval                                    */
-    int samples_per_update;               /* fast cycles in a navigation cycle: 1, 2, 4 ...     */
-    int order;                            /* samples used for coning and sculling: 2 or 4       */
+    double dt_s;            /* sample interval                                    */
+    int samples_per_update; /* fast cycles in a navigation cycle: 1, 2, 4 ...     */
+    int order; /* of the recursion for coning and sculling: 1 (none), 2 or 4                     */
+    const schuler_coning_algorithm *algorithm; /* what groups of samples correct; NULL = nothing.
+                                                  Needs samples_per_update 1                     */
     const schuler_gravity_table *gravity; /* borrowed                                           */
     int lanes;
     const schuler_nav_state *start; /* one per lane                                       */

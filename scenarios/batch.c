@@ -150,6 +150,7 @@ static void set_up_group(const lane_batch_state *b, int g, const schuler_truth_s
         .dt_s = dt_s,
         .samples_per_update = s->samples_per_update,
         .order = s->order,
+        .algorithm = s->coning,
         .gravity = schuler_truth_nav_gravity(b->plan->truth),
         .lanes = b->width,
         .start = start,

@@ -74,7 +74,7 @@ static const schuler_growth_other others[] = {
         .later =
             "bounded by the Schuler swing where it is an error of velocity; a drift where coning "
             "or quick turns are not followed.",
-        .depends = "On motion and vibration against navigation.order, samples_per_update and the "
+        .depends = "On motion and vibration against navigation.coning, samples_per_update and the "
                    "rate of the samples." } },
     { 0 },
 };

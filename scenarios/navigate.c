@@ -215,7 +215,8 @@ static schuler_status prepare(navigation *nav, const schuler_trajectory_row *sta
     const double knows_truth = 0.0;
     schuler_nav_setup setup = { .dt_s = nav->in.dt_s,
                                 .samples_per_update = 1,
-                                .order = nav->options->order,
+                                .order = schuler_coning_algorithms[nav->options->coning].order,
+                                .algorithm = &schuler_coning_algorithms[nav->options->coning],
                                 .gravity = &nav->table,
                                 .lanes = schuler_isa_lanes(SCHULER_ISA_SCALAR),
                                 .start = &state,

@@ -15,7 +15,7 @@ typedef struct {
     const char *gravity; /* name for schuler_field_open */
     int hold_vertical; /* 1: height and down-velocity are put to the reference's at each of its rows
                         */
-    int order;         /* samples for coning and sculling: 2 or 4                                */
+    int coning;        /* index of schuler_coning_algorithms; 0 is the default                  */
     /* Called with the navigator's trajectory at each reference time; a non-OK status stops. */
     schuler_status (*row)(void *user, const schuler_trajectory_row *row);
     void (*progress)(void *user, double fraction); /* or NULL; some hundred times in all */

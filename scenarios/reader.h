@@ -23,7 +23,8 @@ typedef struct {
     struct {
         schuler_place place;
         const schuler_node *frame, *gravity;
-        const char *vertical, *order, *samples_per_update;
+        const char *vertical, *samples_per_update;
+        const schuler_node *coning;
     } navigation;
     struct {
         schuler_place place;

@@ -5,6 +5,7 @@
 
 #include "core/schema.h"
 #include "core/trajectory.h"
+#include "mechanization/algorithms.h"
 #include "sensors/plugins.h"
 #include "sensors/temperature.h"
 
@@ -58,6 +59,7 @@ typedef struct schuler_scenario {
     const char *nav_gravity;
     schuler_vertical vertical;
     int order, samples_per_update;
+    const schuler_coning_algorithm *coning; /* order is its recursion's                       */
     schuler_text_list only, without;
     schuler_requirement requirement;
     schuler_arena *arena;         /* owns what the members point to                             */

@@ -45,6 +45,23 @@ static int check_frame(schuler_reading *r, const schuler_node *node)
     return index;
 }
 
+static const schuler_coning_algorithm *check_coning(schuler_reading *r, const schuler_node *node)
+{
+    const char *const text =
+        node ? schuler_read_scalar(r, node, "navigation.coning", "the name of an algorithm") : NULL;
+    if (!text) return &schuler_coning_algorithms[0];
+    const int index = schuler_coning_algorithm_find(text);
+    if (index >= 0) return &schuler_coning_algorithms[index];
+    const char *names[64];
+    size_t count = 0;
+    for (; schuler_coning_algorithms[count].name && count < 64; count++)
+        names[count] = schuler_coning_algorithms[count].name;
+    char lead[160];
+    snprintf(lead, sizeof lead, "navigation.coning: there is no algorithm '%.60s'", text);
+    schuler_diagnose_unknown(r, &node->place, lead, text, names, count);
+    return &schuler_coning_algorithms[0];
+}
+
 static void check_requirement(schuler_reading *r, const schuler_scenario_file *file,
                               schuler_requirement *out)
 {
@@ -86,8 +103,14 @@ void schuler_scenario_check(schuler_reading *r, const schuler_scenario_file *fil
     s->frame = check_frame(r, file->navigation.frame);
     s->vertical = strcmp(file->navigation.vertical, "free") == 0 ? SCHULER_VERTICAL_FREE
                                                                  : SCHULER_VERTICAL_TRUTH;
-    s->order = *file->navigation.order - '0'; /* one digit each, by their choices */
-    s->samples_per_update = *file->navigation.samples_per_update - '0';
+    s->coning = check_coning(r, file->navigation.coning);
+    s->order = s->coning->order;
+    s->samples_per_update = *file->navigation.samples_per_update - '0'; /* by its choices */
+    if (s->coning->samples > 1 && s->samples_per_update > 1)
+        schuler_diagnose(r->d, SCHULER_ERR_INPUT, &file->navigation.coning->place,
+                         "navigation.coning: '%s' has groups of its own and needs "
+                         "samples_per_update: 1",
+                         s->coning->name);
     s->position = file->initial.position;
     s->velocity = file->initial.velocity;
     s->tilt = file->initial.tilt;

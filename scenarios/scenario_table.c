@@ -45,7 +45,6 @@ static const schuler_object initial_object = {
 };
 
 static const char *const verticals[] = { "truth", "free", NULL };
-static const char *const orders[] = { "4", "2", NULL };
 static const char *const sample_counts[] = { "1", "2", "4", "8", NULL };
 static const schuler_field navigation_fields[] = {
     { .key = "frame",
@@ -64,12 +63,11 @@ static const schuler_field navigation_fields[] = {
       .choices = verticals,
       .example = "truth",
       .doc = "how height is held" },
-    { .key = "order",
-      .kind = SCHULER_FIELD_CHOICE,
-      .offset = IN(navigation, order),
-      .choices = orders,
-      .example = "4",
-      .doc = "samples used for coning and sculling" },
+    { .key = "coning",
+      .kind = SCHULER_FIELD_NODE,
+      .offset = IN(navigation, coning),
+      .example = "cubic",
+      .doc = "attitude algorithm: what corrects for coning and sculling" },
     { .key = "samples_per_update",
       .kind = SCHULER_FIELD_CHOICE,
       .offset = IN(navigation, samples_per_update),

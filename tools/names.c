@@ -56,3 +56,8 @@ void names_of_frames(const char **names)
     const schuler_mechanization *const *frames = schuler_mechanizations(SCHULER_ISA_SCALAR);
     COLLECT(frames[n] ? frames[n]->name : NULL);
 }
+
+void names_of_coning(const char **names)
+{
+    COLLECT(schuler_coning_algorithms[n].name);
+}

@@ -15,5 +15,6 @@ void names_of_templates(const char **names);
 void names_of_sensor_models(const char **names);
 void names_of_trajectories(const char **names);
 void names_of_frames(const char **names);
+void names_of_coning(const char **names);
 
 #endif

@@ -73,13 +73,15 @@ const schuler_sensor_model *registry_stage(const char *name)
 
 exit_code registry_unknown(const char *name, const schuler_plugins *plugins)
 {
-    const char *known[6 * NAMES_MAX + 1], **at = known;
-    const char *const *const end = known + 6 * NAMES_MAX;
+    const char *known[7 * NAMES_MAX + 1], **at = known;
+    const char *const *const end = known + 7 * NAMES_MAX;
     names_of_sensor_models(at);
     while (*at) at++;
     names_of_trajectories(at);
     while (*at) at++;
     names_of_frames(at);
+    while (*at) at++;
+    names_of_coning(at);
     while (*at) at++;
     for (int i = 0; registry_gravities[i].name; i++) *at++ = registry_gravities[i].name;
     for (int i = 0; registry_spellings[i].name; i++) *at++ = registry_spellings[i].name;

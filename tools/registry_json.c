@@ -90,8 +90,15 @@ json_t *registry_json(const schuler_plugins *plugins)
     const schuler_mechanization *const *f = schuler_mechanizations(SCHULER_ISA_SCALAR);
     for (; frames && *f; f++)
         frames = append(frames, entry((*f)->name, (*f)->summary, (*f)->source));
-    return json_pack("{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o}", "format", "schuler-models-1",
+    json_t *algorithms = json_array();
+    for (const schuler_coning_algorithm *a = schuler_coning_algorithms; algorithms && a->name;
+         a++) {
+        json_t *row = entry(a->name, a->summary, a->source);
+        if (row) json_object_set_new(row, "error_law", json_of_text(a->law));
+        algorithms = append(algorithms, row);
+    }
+    return json_pack("{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "format", "schuler-models-1",
                      "version", SCHULER_VERSION, "sensor_models", models, "stages", stages,
                      "spellings", entries(registry_spellings), "trajectories", kinds, "frames",
-                     frames, "gravity", entries(registry_gravities));
+                     frames, "coning", algorithms, "gravity", entries(registry_gravities));
 }

@@ -76,6 +76,9 @@ void registry_list(FILE *out, const schuler_plugins *plugins)
     fputs("\nNavigation frames (navigation.frame)\n", out);
     const schuler_mechanization *const *frames = schuler_mechanizations(SCHULER_ISA_SCALAR);
     for (int i = 0; frames[i]; i++) list_row(out, frames[i]->name, frames[i]->summary);
+    fputs("\nAttitude algorithms (navigation.coning)\n", out);
+    for (const schuler_coning_algorithm *a = schuler_coning_algorithms; a->name; a++)
+        list_row(out, a->name, a->summary);
     fputs("\nGravity (truth.gravity, navigation.gravity)\n", out);
     for (int i = 0; registry_gravities[i].name; i++)
         list_row(out, registry_gravities[i].name, registry_gravities[i].summary);
@@ -199,6 +202,13 @@ bool registry_show(FILE *out, const char *name, const schuler_plugins *plugins)
     for (int i = 0; frames[i]; i++) {
         if (strcmp(frames[i]->name, name) != 0) continue;
         put_head(out, "a navigation frame", name, frames[i]->summary, frames[i]->source);
+        return true;
+    }
+    for (const schuler_coning_algorithm *a = schuler_coning_algorithms; a->name; a++) {
+        if (strcmp(a->name, name) != 0) continue;
+        put_head(out, "an attitude algorithm", name, a->summary, a->source);
+        fputs("  error law: ", out);
+        page_wrap(out, a->law, 13, 13);
         return true;
     }
     return false;

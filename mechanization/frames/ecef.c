@@ -15,7 +15,7 @@
  * force during the earth's turn, w/12 x (u_e - u_before), which sums to w/12 x (the change of u_e).
  */
 #include "core/gravity_lanes.h"
-#include "mechanization/coning.h"
+#include "mechanization/coning_group.h"
 #include "mechanization/rotation.h"
 
 typedef struct {
@@ -31,6 +31,8 @@ typedef struct {
     double T_s, turn_rad; /* of a cycle; turn of the earth in it */
     double implicit_rad, implicit_inverse;
     int order, samples;
+    schuler_coning_algorithm algorithm;
+    coning_group group;
 } ecef;
 
 LANES_INLINE lanes3 minus_turn(double angle_rad, lanes3 a)
@@ -72,6 +74,8 @@ static void init(void *state, const schuler_nav_setup *s)
     n->gravity = *s->gravity;
     n->samples = s->samples_per_update;
     n->order = s->order;
+    n->algorithm = s->algorithm ? *s->algorithm : (schuler_coning_algorithm){ .samples = 1 };
+    n->group.count = 0;
     n->T_s = s->samples_per_update * s->dt_s;
     n->turn_rad = SCHULER_OMEGA_IE_RADPS * n->T_s;
     n->implicit_rad = 5.0 / 6.0 * n->turn_rad;
@@ -187,6 +191,19 @@ LANES_INLINE void update(ecef *n, block_sums *sums, coning_sums s, lanes3 dg)
                             sums->q.z + (body.z + (ew * p.z + ez * p.w)) };
 }
 
+/* What a group of samples lacks: a turn of the body and a velocity in its axes. */
+LANES_INLINE void correct(const ecef *n, block_sums *sums, coning_correction c)
+{
+    const lanes_quat q = { n->q.w + sums->q.w, n->q.x + sums->q.x, n->q.y + sums->q.y,
+                           n->q.z + sums->q.z };
+    const lanes3 h = lanes3_scale(lanes_set(0.5), c.beta);
+    sums->v = lanes3_add(sums->v, lanes_quat_rotate(q, c.scul));
+    sums->q.w -= q.x * h.x + q.y * h.y + q.z * h.z;
+    sums->q.x += q.w * h.x + q.y * h.z - q.z * h.y;
+    sums->q.y += q.w * h.y - q.x * h.z + q.z * h.x;
+    sums->q.z += q.w * h.z + q.x * h.y - q.y * h.x;
+}
+
 LANES_INLINE lanes3 block_sample(const double *data, int stride, int k)
 {
     const double *p = data + (ptrdiff_t)k * SCHULER_LANES;
@@ -212,7 +229,7 @@ LANES_INLINE void remember(lanes3 past[SCHULER_PRIME], lanes3 newest, int order)
 /* Specialised by the caller's constants: order, whether a cycle is one sample, whether there is a
  * dg. */
 LANES_INLINE void advance_as(ecef *state, const schuler_nav_block *b, int order, int samples,
-                             int has_dg)
+                             int has_dg, int grouped)
 {
     ecef n = *state;
     const lanes zero = lanes_set(0.0);
@@ -231,6 +248,10 @@ LANES_INLINE void advance_as(ecef *state, const schuler_nav_block *b, int order,
         }
         /* Mid-cycle: the middle sample's value (of the two, the later). */
         update(&n, &block, sums, has_dg ? block_dg(&n, b, k + samples / 2) : none);
+        coning_correction c;
+        const coning_sample newest = { n.past_d[0], n.past_u[0] };
+        if (grouped && coning_group_take(&n.group, &n.algorithm, newest, sums, &c))
+            correct(&n, &block, c);
     }
     join(&n, &block);
     *state = n;
@@ -240,14 +261,13 @@ static void advance(void *state, const schuler_nav_block *b)
 {
     ecef *n = state;
     const int has_dg = b->dg_nav_e != NULL;
-    if (has_dg)
-        advance_as(n, b, n->order, n->samples, 1);
-    else if (n->samples != 1)
-        advance_as(n, b, n->order, n->samples, 0);
+    const int grouped = n->algorithm.samples > 1;
+    if (has_dg || grouped || n->samples != 1 || n->order == 1)
+        advance_as(n, b, n->order, n->samples, has_dg, grouped);
     else if (n->order == 2)
-        advance_as(n, b, 2, 1, 0);
+        advance_as(n, b, 2, 1, 0, 0);
     else
-        advance_as(n, b, 4, 1, 0);
+        advance_as(n, b, 4, 1, 0, 0);
 }
 
 static void hold_vertical(void *state, double height_m, double v_up_mps)

@@ -35,7 +35,7 @@ same header wanted
 # Perfect increments at rest: rounding only, far below a micrometre in two minutes.
 json r.json errors horizontal_m max | awk '{ exit !($1 < 1e-6) }' || complain "drift $(json r.json errors horizontal_m max) m"
 [ "$(json r.json increments)" = 6000 ] || complain "increments $(json r.json increments)"
-expect 0 "$SCHULER" navigate --imu imu.csv --reference reference.csv --out nav2.csv --vertical truth --order 2 --gravity grs80 --json -
+expect 0 "$SCHULER" navigate --imu imu.csv --reference reference.csv --out nav2.csv --vertical truth --coning previous --gravity grs80 --json -
 json out format >value
 [ "$(cat value)" = schuler-navigate-1 ] || complain "JSON on standard output"
 
@@ -60,11 +60,12 @@ trajectory:
 imu: {rate: 50 Hz, accel: {model: linear}, gyro: {model: linear}}
 YAML
 expect 0 "$SCHULER" truth turn.yaml --imu-out turn_imu.csv --reference-out turn_ref.csv
-for order in 2 4; do
-    expect 0 "$SCHULER" navigate --imu turn_imu.csv --reference turn_ref.csv --out order$order.csv --order $order --json order$order.json
-    json order$order.json errors horizontal_m max | awk '{ exit !($1 < 1e-3) }' || complain "order $order drifts"
+for coning in previous cubic optimal_4; do
+    expect 0 "$SCHULER" navigate --imu turn_imu.csv --reference turn_ref.csv --out $coning.csv --coning $coning --json $coning.json
+    json $coning.json errors horizontal_m max | awk '{ exit !($1 < 1e-3) }' || complain "$coning drifts"
 done
-differ order2.csv order4.csv
+differ previous.csv cubic.csv
+differ optimal_4.csv cubic.csv
 
 # A rate of 200 Hz by --set.
 expect 0 "$SCHULER" truth mission.yaml --imu-out fast.csv --set 'imu.rate=200 Hz'

@@ -104,7 +104,6 @@ static schuler_status navigate(const files *f, const char *gravity, int hold,
         .frame = schuler_mechanization_find("ecef"),
         .gravity = gravity,
         .hold_vertical = hold,
-        .order = 4,
         .row = count_row,
         .user = &rows,
     };
@@ -289,7 +288,6 @@ static void an_interrupt_stops_it(void **state)
     const schuler_navigate_options options = { .imu_file = f->imu,
                                                .reference_file = f->reference,
                                                .gravity = "wgs84",
-                                               .order = 4,
                                                .row = count_row,
                                                .user = &rows,
                                                .stop = &stop };

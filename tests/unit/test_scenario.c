@@ -38,7 +38,7 @@ static const char whole[] =
     "  frame: ecef\n"
     "  gravity: wgs84\n"
     "  vertical: free\n"
-    "  order: 2\n"
+    "  coning: previous\n"
     "  samples_per_update: 8\n"
     "errors: {without: [gyro.misalignment, initial]}\n"
     "requirement: {drift: 1 nmi/h, statistic: R95}\n"

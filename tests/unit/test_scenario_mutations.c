@@ -176,7 +176,7 @@ static void a_scenario_survives_mutation(void **state)
         "    noise_density: 2 ug/sqrt(Hz)\n    sided: one\n  gyro:\n"
         "    bias: {uniform: [-0.003 deg/h, 0.003 deg/h]}\n    gauss_markov: 0.001 \u00b0/h\n"
         "    gauss_markov_time: 10 min\ninitial:\n  position: {normal: 10 m}\n"
-        "  tilt: [1 arcsec, 2 arcsec]\nnavigation: {frame: ecef, order: 2}\n"
+        "  tilt: [1 arcsec, 2 arcsec]\nnavigation: {frame: ecef, coning: previous}\n"
         "errors:\n  without:\n    - gyro.bias\n    - initial\n"
         "requirement: {drift: 1 nmi/h, statistic: CEP}\nreport: {every: 1 min}\n",
         1, 4000);

@@ -20,7 +20,7 @@ enum {
     KEY_FRAME,
     KEY_GRAVITY,
     KEY_VERTICAL,
-    KEY_ORDER,
+    KEY_CONING,
     KEY_JSON
 };
 
@@ -37,7 +37,7 @@ static const struct argp_option options[] = {
     { "frame", KEY_FRAME, "NAME", 0, "navigation frame (default ecef)", 0 },
     { "gravity", KEY_GRAVITY, "NAME", 0, "wgs84 (default), grs80 or an installed data set", 0 },
     { "vertical", KEY_VERTICAL, "MODE", 0, "free (default), or truth: held to the reference", 0 },
-    { "order", KEY_ORDER, "N", 0, "samples for coning and sculling: 2 or 4 (default)", 0 },
+    { "coning", KEY_CONING, "NAME", 0, "attitude algorithm (default cubic)", 0 },
     { "json", KEY_JSON, "FILE", 0, "errors as JSON; - is standard output", 0 },
     { "quiet", 'q', NULL, 0, "print no errors, no warnings, no progress", 0 },
     { 0 },
@@ -45,8 +45,7 @@ static const struct argp_option options[] = {
 
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
-    static const char *const verticals[] = { "free", "truth", NULL }, *const orders[] = { "2", "4",
-                                                                                          NULL };
+    static const char *const verticals[] = { "free", "truth", NULL };
     const char *known[NAMES_MAX];
     navigate_arguments *a = state->input;
     switch (key) {
@@ -71,8 +70,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->options.hold_vertical = arguments_choice(state, "--vertical", arg, verticals);
         a->vertical = arg;
         return 0;
-    case KEY_ORDER:
-        a->options.order = arguments_choice(state, "--order", arg, orders) ? 4 : 2;
+    case KEY_CONING:
+        names_of_coning(known);
+        a->options.coning = arguments_choice(state, "--coning", arg, known);
         return 0;
     case KEY_JSON:
         a->json = arg;
@@ -150,9 +150,9 @@ static exit_code print_errors(const schuler_navigate_result *r, const navigate_a
     if (!p.out) return page_show(&p);
     list_shown(r, lines);
     page_duration(p.out, r->duration_s);
-    fprintf(p.out, "   %lld increments of %g s   frame %s, gravity %s, vertical %s, order %d\n\n",
+    fprintf(p.out, "   %lld increments of %g s   frame %s, gravity %s, vertical %s, coning %s\n\n",
             (long long)r->steps, r->dt_s, a->frame, a->options.gravity, a->vertical,
-            a->options.order);
+            schuler_coning_algorithms[a->options.coning].name);
     fprintf(p.out, "  %-22s %15s %15s %15s\n", "error", "final", "max", "rms");
     for (int i = 0; i < SHOWN; i++) {
         const schuler_error_figures *f = lines[i].figures;
@@ -176,12 +176,12 @@ static json_t *errors_json(const schuler_navigate_result *r, const navigate_argu
                                       "max", json_of_number(k * f->max), "rms",
                                       json_of_number(k * f->rms)));
     }
-    return json_pack("{s:s, s:s, s:s, s:o, s:s, s:i, s:o, s:o, s:I, s:I, s:o}", "format",
-                     "schuler-navigate-1", "version", SCHULER_VERSION, "frame", a->frame, "gravity",
-                     json_of_text(a->options.gravity), "vertical", a->vertical, "order",
-                     a->options.order, "dt_s", json_of_number(r->dt_s), "duration_s",
-                     json_of_number(r->duration_s), "increments", (json_int_t)r->steps, "rows",
-                     (json_int_t)r->rows, "errors", errors);
+    return json_pack(
+        "{s:s, s:s, s:s, s:o, s:s, s:s, s:o, s:o, s:I, s:I, s:o}", "format", "schuler-navigate-1",
+        "version", SCHULER_VERSION, "frame", a->frame, "gravity", json_of_text(a->options.gravity),
+        "vertical", a->vertical, "coning", schuler_coning_algorithms[a->options.coning].name,
+        "dt_s", json_of_number(r->dt_s), "duration_s", json_of_number(r->duration_s), "increments",
+        (json_int_t)r->steps, "rows", (json_int_t)r->rows, "errors", errors);
 }
 
 static exit_code deliver(const schuler_navigate_result *r, const navigate_arguments *a, sink *s)
@@ -205,7 +205,7 @@ exit_code verb_navigate(int argc, char **argv)
 {
     navigate_arguments a = { .frame = "ecef",
                              .vertical = "free",
-                             .options = { .gravity = "wgs84", .order = 4 } };
+                             .options = { .gravity = "wgs84" } };
     a.options.frame = schuler_mechanization_find(a.frame);
     arguments_parse(&argp, argc, argv, &a);
     sink s = { .bar = progress_start(a.quiet) };
