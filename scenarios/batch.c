@@ -131,20 +131,27 @@ static schuler_nav_state start_of(const simulation_plan *p, const batch_lane *l,
     };
 }
 
-static void set_up_group(const lane_batch_state *b, int g, const schuler_truth_state *truth,
-                         const schuler_truth_block *before)
+static void start_sensors(const lane_batch_state *b, int g)
 {
-    const schuler_scenario *s = b->plan->scenario;
-    const double dt_s = schuler_truth_dt(b->plan->truth);
-    schuler_nav_state start[LANES_MAX];
-    double knows_dg[LANES_MAX];
-    for (int k = 0; k < b->width; k++)
-        start[k] = start_of(b->plan, lane_at(b, g, k), truth, &knows_dg[k]);
     for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
         schuler_lane_spec specs[LANES_MAX];
         for (int k = 0; k < b->width; k++)
             fill_spec(b, lane_at(b, g, k), (schuler_instrument)i, &specs[k]);
         schuler_chain_start(b->chain[i], b->groups[g].triad[i], specs);
+    }
+}
+
+static void start_navigators(const lane_batch_state *b, int g, const schuler_truth_state *truth,
+                             const schuler_truth_block *before, const schuler_quat *q_b_e)
+{
+    const schuler_scenario *s = b->plan->scenario;
+    const double dt_s = schuler_truth_dt(b->plan->truth);
+    schuler_nav_state start[LANES_MAX];
+    double knows_dg[LANES_MAX];
+    for (int k = 0; k < b->width; k++) {
+        const batch_lane *const l = lane_at(b, g, k);
+        start[k] = start_of(b->plan, l, truth, &knows_dg[k]);
+        if (q_b_e) start[k].q_b_e = q_b_e[l - b->lanes];
     }
     schuler_nav_setup nav = {
         .dt_s = dt_s,
@@ -169,8 +176,10 @@ static schuler_status make_chain(lane_batch_state *b, schuler_instrument instrum
 {
     const schuler_scenario *s = b->plan->scenario;
     chain_parts parts;
-    const schuler_chain_setup setup = schuler_chain_setup_of(
-        &s->imu, instrument, b->plan->isa, schuler_truth_dt(b->plan->truth), s->seed, &parts);
+    const double dt_s = schuler_truth_dt(b->plan->truth);
+    schuler_chain_setup setup =
+        schuler_chain_setup_of(&s->imu, instrument, b->plan->isa, dt_s, s->seed, &parts);
+    setup.start_s = -(double)b->plan->align_steps * dt_s;
     const schuler_status status = schuler_chain_create(&b->chain[instrument], &setup, err);
     if (status == SCHULER_OK) b->needs_nodes |= schuler_chain_needs_nodes(b->chain[instrument]);
     return status;
@@ -189,12 +198,26 @@ schuler_status schuler_batch_state_make(lane_batch_state *b, const simulation_pl
     if (!list_lanes(b, &plan->batches[index]) || !allocate(b))
         return schuler_fail(err, SCHULER_ERR_MEMORY, NULL, "out of memory");
 
+    for (int g = 0; g < b->group_count; g++) start_sensors(b, g);
+    if (!plan->align_truth) schuler_batch_navigators(b, NULL);
+    return SCHULER_OK;
+}
+
+void schuler_batch_navigators(lane_batch_state *b, const schuler_quat *q_b_e)
+{
+    const simulation_plan *const p = b->plan;
     schuler_truth_state start;
     schuler_truth_block before;
-    schuler_truth_at(plan->truth, 0.0, &start);
-    schuler_truth_block_compute(plan->truth, plan->isa, -SCHULER_PRIME, SCHULER_PRIME, &before);
-    for (int g = 0; g < b->group_count; g++) set_up_group(b, g, &start, &before);
-    return SCHULER_OK;
+    schuler_truth_at(p->truth, 0.0, &start);
+    schuler_truth_block_compute(p->truth, p->isa, -SCHULER_PRIME, SCHULER_PRIME, &before);
+    for (int g = 0; g < b->group_count; g++) start_navigators(b, g, &start, &before, q_b_e);
+}
+
+schuler_vec3 schuler_batch_place(const lane_batch_state *b, int i, double *knows_dg)
+{
+    schuler_truth_state start;
+    schuler_truth_at(b->plan->truth, 0.0, &start);
+    return start_of(b->plan, &b->lanes[i], &start, knows_dg).r_e;
 }
 
 void schuler_batch_state_free(lane_batch_state *b)

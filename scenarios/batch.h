@@ -35,10 +35,16 @@ typedef struct {
     schuler_truth_nodes *nodes;            /* NULL unless they are needed */
 } lane_batch_state;
 
-/** Set up batch `index` at the true start: values drawn, initial errors applied, navigators primed.
+/** Set up batch `index` at the true start: values drawn; without self-alignment also the navigators.
  *  Errors  SCHULER_ERR_MEMORY; free with schuler_batch_state_free in any case */
 schuler_status schuler_batch_state_make(lane_batch_state *b, const simulation_plan *plan,
                                         size_t index, schuler_error *err);
 void schuler_batch_state_free(lane_batch_state *b);
+
+/** Start the navigators: initial errors applied, primed.
+ *  Given   q_b_e   what self-alignment has found for each lane; NULL: the truth, with its errors */
+void schuler_batch_navigators(lane_batch_state *b, const schuler_quat *q_b_e);
+/** Where lane i believes to be, ECEF, and whether it knows the disturbance of gravity. */
+schuler_vec3 schuler_batch_place(const lane_batch_state *b, int i, double *knows_dg);
 
 #endif

@@ -81,6 +81,7 @@ schuler_status schuler_plan_make(simulation_plan *p, int threads, bool rows_want
 
 void schuler_plan_free(simulation_plan *p)
 {
+    schuler_path_free(&p->align_path);
     free(p->chunks);
     free(p->batches);
 }

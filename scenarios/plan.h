@@ -30,7 +30,11 @@ typedef struct {
     int count;  /* sources */
     bool drawn; /* any of them */
     int64_t steps, report_steps;
-    size_t reports; /* report times, without 0 */
+    schuler_path align_path;          /* at the mooring                             */
+    const schuler_truth *align_truth; /* NULL: no self-alignment                       */
+    int64_t align_steps;              /* before the mission, whole records             */
+    int record_steps;                 /* between the records that it keeps             */
+    size_t reports;                   /* report times, without 0 */
     lane_chunk *chunks;
     lane_batch *batches;
     size_t chunk_count, batch_count;

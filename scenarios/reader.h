@@ -19,6 +19,15 @@ typedef struct {
     struct {
         schuler_place place;
         schuler_value position, velocity, tilt, heading;
+        struct {
+            schuler_place place;
+            double for_s;
+            const char *method;
+            struct {
+                schuler_place place;
+                double roll_rad, pitch_rad, heading_rad, period_s;
+            } sway;
+        } align;
     } initial;
     struct {
         schuler_place place;

@@ -3,6 +3,7 @@
 #ifndef SCHULER_SCENARIOS_SCENARIO_H
 #define SCHULER_SCENARIOS_SCENARIO_H
 
+#include "core/mooring.h"
 #include "core/schema.h"
 #include "core/trajectory.h"
 #include "mechanization/algorithms.h"
@@ -40,6 +41,14 @@ typedef struct {
     schuler_place place;
 } schuler_requirement;
 
+/* Self-alignment before the mission begins. */
+typedef struct {
+    bool given, fine;
+    schuler_place place;
+    double for_s;
+    schuler_sway sway;
+} schuler_align_spec;
+
 typedef struct schuler_scenario {
     const char *name;
     const char *file;
@@ -53,9 +62,10 @@ typedef struct schuler_scenario {
     schuler_path path; /* compiled from it                                           */
     schuler_imu imu;
     schuler_value position, velocity; /* initial errors, n-axes: 3 components, m and m/s */
-    schuler_value tilt;    /* 2: phi_N, phi_E, rad (C_b_n computed = (I - [phi x]) C_b_n)  */
-    schuler_value heading; /* 1: computed minus true heading, rad                        */
-    int frame;             /* index into schuler_mechanizations()                        */
+    schuler_value tilt;       /* 2: phi_N, phi_E, rad (C_b_n computed = (I - [phi x]) C_b_n)  */
+    schuler_value heading;    /* 1: computed minus true heading, rad                        */
+    schuler_align_spec align; /* in place of tilt and heading                            */
+    int frame;                /* index into schuler_mechanizations()                        */
     const char *nav_gravity;
     schuler_vertical vertical;
     int order, samples_per_update;

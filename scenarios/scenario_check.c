@@ -92,6 +92,31 @@ static void check_requirement(schuler_reading *r, const schuler_scenario_file *f
     schuler_diagnose_unknown(r, &node->place, lead, text, names, 3);
 }
 
+static void check_align(schuler_reading *r, const schuler_scenario_file *file,
+                        schuler_align_spec *out)
+{
+    const char *const method = file->initial.align.method;
+    if (!file->initial.align.place.file) return;
+    *out = (schuler_align_spec){
+        .given = true,
+        .fine = strcmp(method, "fine") == 0,
+        .place = file->initial.align.place,
+        .for_s = file->initial.align.for_s,
+        .sway = { file->initial.align.sway.roll_rad, file->initial.align.sway.pitch_rad,
+                  file->initial.align.sway.heading_rad, file->initial.align.sway.period_s }
+    };
+    if (file->initial.tilt.given || file->initial.heading.given)
+        schuler_diagnose(r->d, SCHULER_ERR_INPUT, &file->initial.align.place,
+                         "initial.align: tilt and heading are found by it and cannot be given too");
+    const schuler_sway *const s = &out->sway;
+    const bool sways = s->roll_rad > 0.0 || s->pitch_rad > 0.0 || s->heading_rad > 0.0;
+    if (sways && (s->period_s < 0.5 || 3.0 * s->period_s > out->for_s))
+        schuler_diagnose(r->d, SCHULER_ERR_INPUT, &file->initial.align.sway.place,
+                         "initial.align.sway.period: %g s; allowed: 0.5 s to a third of the "
+                         "alignment, %g s",
+                         s->period_s, out->for_s / 3.0);
+}
+
 void schuler_scenario_check(schuler_reading *r, const schuler_scenario_file *file,
                             schuler_scenario *s)
 {
@@ -115,6 +140,7 @@ void schuler_scenario_check(schuler_reading *r, const schuler_scenario_file *fil
     s->velocity = file->initial.velocity;
     s->tilt = file->initial.tilt;
     s->heading = file->initial.heading;
+    check_align(r, file, &s->align);
     s->only = file->errors.only;
     s->without = file->errors.without;
     check_requirement(r, file, &s->requirement);
@@ -138,6 +164,18 @@ void schuler_scenario_check_duration(schuler_reading *r, const schuler_scenario_
     const double every_s = file->report.every_s;
     s->report_s = isnan(every_s) ? usual_interval(duration_s) : every_s;
     if (s->report_s > duration_s) s->report_s = duration_s;
+    const schuler_motion start = schuler_path_at(&s->path, 0.0);
+    if (s->align.given && schuler_vec3_norm(start.v_e) > 1e-6)
+        schuler_diagnose(r->d, SCHULER_ERR_INPUT, &s->align.place,
+                         "initial.align: the mission starts at %.3g m/s; self-alignment needs a "
+                         "vehicle at rest",
+                         schuler_vec3_norm(start.v_e));
+    const double lat_rad = schuler_llh_from_ecef(start.r_e).lat_rad;
+    if (s->align.given && fabs(lat_rad) > 89.0 * SCHULER_RAD_PER_DEG)
+        schuler_diagnose(r->d, SCHULER_ERR_INPUT, &s->align.place,
+                         "initial.align: there is no north to be found at a latitude of %.2f deg; "
+                         "allowed: up to 89 deg",
+                         lat_rad / SCHULER_RAD_PER_DEG);
     if (duration_s / s->report_s > REPORTS_MAX)
         schuler_diagnose(r->d, SCHULER_ERR_INPUT, &file->report.place,
                          "report.every: this gives %.0f reports in %.0f s; allowed: %d",

@@ -29,12 +29,67 @@ static const schuler_object truth_object = {
         .key = key_, .kind = SCHULER_FIELD_VALUE, .offset = IN(initial, member_), .dim = dim_,     \
         .components = components_, .example = example_, .doc = doc_                                \
     }
+#define SWAY(key_, member_, def_, max_, dim_, example_, doc_)                                      \
+    {                                                                                              \
+        .key = key_, .kind = SCHULER_FIELD_QUANTITY, .offset = IN(initial.align.sway, member_),    \
+        .dim = dim_, .def = def_, .min = 0.0, .max = max_, .example = example_, .doc = doc_        \
+    }
+static const schuler_field sway_fields[] = {
+    SWAY("roll", roll_rad, 0.0, 0.8, SCHULER_DIM_ANGLE, "3 deg", "amplitude"),
+    SWAY("pitch", pitch_rad, 0.0, 0.8, SCHULER_DIM_ANGLE, "1 deg", "amplitude"),
+    SWAY("heading", heading_rad, 0.0, 0.8, SCHULER_DIM_ANGLE, "0.5 deg", "amplitude"),
+    SWAY("period", period_s, 8.0, 1e4, SCHULER_DIM_TIME, "8 s",
+         "of the roll; pitch has 0.8 of it, heading 1.3"),
+    { .key = NULL },
+};
+static const schuler_object sway_object = {
+    .name = "sway",
+    .doc = "sinusoidal swaying of the base",
+    .size = SIZE(initial.align.sway),
+    .fields = sway_fields,
+};
+static const char *const methods[] = { "fine", "coarse", NULL };
+static const schuler_field align_fields[] = {
+    { .key = "for",
+      .kind = SCHULER_FIELD_QUANTITY,
+      .offset = IN(initial.align, for_s),
+      .required = true,
+      .dim = SCHULER_DIM_TIME,
+      .min = 10.0,
+      .max = 7200.0,
+      .example = "10 min",
+      .doc = "how long, before the mission begins" },
+    { .key = "method",
+      .kind = SCHULER_FIELD_CHOICE,
+      .offset = IN(initial.align, method),
+      .choices = methods,
+      .example = "fine",
+      .doc = "coarse: a triad of gravity and its turn; fine: then a filter too" },
+    { .key = "sway",
+      .kind = SCHULER_FIELD_OBJECT,
+      .offset = IN(initial.align, sway),
+      .object = &sway_object,
+      .doc = "sinusoidal swaying of the base" },
+    { .key = NULL },
+};
+static const schuler_object align_object = {
+    .name = "align",
+    .doc = "self-alignment from the simulated sensors, in place of tilt and heading",
+    .size = SIZE(initial.align),
+    .fields = align_fields,
+};
+
 static const schuler_field initial_fields[] = {
     VALUE("position", position, 3, SCHULER_DIM_LENGTH, "{normal: 10 m}", "north, east, down"),
     VALUE("velocity", velocity, 3, SCHULER_DIM_SPEED, "{normal: 0.1 m/s}", "north, east, down"),
     VALUE("tilt", tilt, 2, SCHULER_DIM_ANGLE, "{normal: 10 arcsec}",
           "phi about north and east: the computed attitude is (I - [phi x]) C_b_n"),
     VALUE("heading", heading, 1, SCHULER_DIM_ANGLE, "{normal: 1 arcmin}", "computed minus true"),
+    { .key = "align",
+      .kind = SCHULER_FIELD_OBJECT,
+      .offset = IN(initial, align),
+      .object = &align_object,
+      .doc = "self-alignment from the simulated sensors, in place of tilt and heading" },
     { .key = NULL },
 };
 static const schuler_object initial_object = {

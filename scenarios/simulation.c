@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Threads over batches, and the gathering of what they yield. */
 #include "scenarios/simulation.h"
+#include "scenarios/align.h"
 #include "scenarios/budget.h"
 #include "scenarios/worker.h"
 #include <math.h>
@@ -180,7 +181,7 @@ schuler_status schuler_simulate(const schuler_scenario *scenario,
                                 schuler_error *err)
 {
     const int threads = thread_count(options);
-    schuler_truth *truth = NULL;
+    schuler_truth *truth = NULL, *align_truth = NULL;
     schuler_status status =
         schuler_truth_create(&truth, &scenario->path, 1.0 / scenario->imu.rate_hz,
                              scenario->truth_gravity, scenario->nav_gravity, err);
@@ -197,6 +198,7 @@ schuler_status schuler_simulate(const schuler_scenario *scenario,
     plan.count = schuler_sources_list(scenario, plan.sources);
     for (int i = 0; i < plan.count; i++) plan.drawn |= plan.sources[i].drawn;
     status = plan_times(&plan, scenario, err);
+    if (status == SCHULER_OK) status = schuler_align_plan(&plan, &align_truth, err);
     if (status != SCHULER_OK) goto done;
     status = schuler_plan_make(&plan, threads, options->errors != NULL);
     if (status == SCHULER_OK)
@@ -207,7 +209,7 @@ schuler_status schuler_simulate(const schuler_scenario *scenario,
         goto done;
     }
     for (size_t c = 0; c < plan.chunk_count; c++)
-        g.total += (double)plan.chunks[c].runs * (double)plan.steps;
+        g.total += (double)plan.chunks[c].runs * (double)(plan.steps + plan.align_steps);
     run_threads(&g, threads);
     status = g.status;
     if (status != SCHULER_OK) {
@@ -225,6 +227,7 @@ done:
     free(g.chunk_curves_m2);
     schuler_plan_free(&plan);
     schuler_truth_free(truth);
+    schuler_truth_free(align_truth);
     pthread_cond_destroy(&g.turn_changed);
     pthread_mutex_destroy(&g.lock);
     return status;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "scenarios/worker.h"
-#include "scenarios/batch.h"
+#include "scenarios/align.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -114,6 +114,7 @@ static schuler_status fly(const lane_batch_state *b, batch_tick tick, void *user
         schuler_truth_block truth;
         schuler_truth_block_compute(p->truth, p->isa, first, n, &truth);
         if (b->needs_nodes) schuler_truth_nodes_compute(p->truth, p->isa, first, n, b->nodes);
+        truth.first += p->align_steps; /* the sensors have been on since then */
         for (int i = 0; i < SCHULER_INSTRUMENTS; i++)
             schuler_chain_observe(b->chain[i], &truth, b->nodes);
 
@@ -160,6 +161,8 @@ schuler_status schuler_batch_run(const simulation_plan *plan, size_t index, bool
     if (rows_wanted) out->rows = calloc(lanes * (plan->reports + 1), sizeof(*out->rows));
     if (status == SCHULER_OK && (!out->metrics || !out->curve_m2 || (rows_wanted && !out->rows)))
         status = schuler_fail(err, SCHULER_ERR_MEMORY, NULL, "out of memory");
+    if (status == SCHULER_OK && plan->align_truth)
+        status = schuler_batch_align(&b, tick, user, err);
     if (status == SCHULER_OK) status = fly(&b, tick, user, out, err);
     if (status == SCHULER_OK) count_clipped(&b, out);
     if (status != SCHULER_OK) {

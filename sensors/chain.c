@@ -25,6 +25,7 @@ struct schuler_chain {
     size_t state_size;
     schuler_lane_spec settings;
     const schuler_temperature *temperature;
+    double start_s;
     double axes[3][3][3]; /* [instrument][i, p, o][body] */
     /* Of the block that was observed last. */
     schuler_view view;
@@ -120,6 +121,7 @@ schuler_status schuler_chain_create(schuler_chain **out, const schuler_chain_set
     c->width = schuler_isa_lanes(s->isa);
     c->settings = *s->settings;
     c->temperature = s->temperature;
+    c->start_s = s->start_s;
     c->state_size = padded((size_t)LINKS_MAX); /* which links are active */
     schuler_status status = SCHULER_OK;
     if (schuler_chain_params(s->model, s->instrument, params) < 0)
@@ -244,7 +246,7 @@ static void see_instants(schuler_chain *c, const schuler_truth_nodes *nodes)
         }
     for (int q = 0; q < nodes->nodes && c->temperature; q++)
         for (int k = 0; k < v->n; k++) {
-            const double t_s = ((double)(v->first + k) + nodes->fraction[q]) * c->dt_s;
+            const double t_s = c->start_s + ((double)(v->first + k) + nodes->fraction[q]) * c->dt_s;
             c->temperature_K[q][k] =
                 schuler_temperature_at(c->temperature, t_s, &c->temperature_rate[q][k]);
         }

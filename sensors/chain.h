@@ -30,6 +30,7 @@ typedef struct {
     const bool *given;                      /* per parameter: some lane may have it non-zero, or
                                                  it is a setting that was given                    */
     const schuler_temperature *temperature; /* borrowed; NULL = always the reference temperature */
+    double start_s;                         /* time of step 0 for the temperature                */
 } schuler_chain_setup;
 
 /* Owned by one thread: it holds what was observed of the present block. */
