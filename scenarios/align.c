@@ -29,7 +29,8 @@ schuler_status schuler_align_plan(simulation_plan *p, schuler_truth **truth, sch
                                                  (double)p->align_steps * dt_s, &s->align.sway);
     if (status != SCHULER_OK)
         return schuler_fail(err, status, NULL, "the motion of the alignment cannot be computed");
-    status = schuler_truth_create(truth, &p->align_path, dt_s, s->truth_gravity, s->nav_gravity, err);
+    status =
+        schuler_truth_create(truth, &p->align_path, dt_s, s->truth_gravity, s->nav_gravity, err);
     p->align_truth = *truth;
     return status;
 }
