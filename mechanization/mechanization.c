@@ -20,3 +20,10 @@ int schuler_mechanization_find(const char *name)
         if (strcmp(frames[i]->name, name) == 0) return i;
     return -1;
 }
+
+size_t schuler_mechanization_size(const schuler_mechanization *m,
+                                  const schuler_coning_algorithm *algorithm)
+{
+    const size_t group = algorithm && algorithm->samples > 1 ? m->group_size : 0;
+    return (m->state_size + group + 63) / 64 * 64;
+}

@@ -46,6 +46,7 @@ typedef struct {
 typedef struct {
     const char *name, *summary, *source;
     size_t state_size; /* bytes, aligned to 64, for one vector of lanes */
+    size_t group_size; /* more of them, for an algorithm of several samples */
     void (*init)(void *state, const schuler_nav_setup *setup);
     /** Advance by block->n samples. A block ends on a navigation cycle: n is a multiple of
      *  samples_per_update, except at the end of a run, where the rest is not updated. */
@@ -55,6 +56,10 @@ typedef struct {
     void (*hold_vertical)(void *state, double height_m, double v_up_mps);
     void (*get)(const void *state, int lane, schuler_nav_state *out);
 } schuler_mechanization;
+
+/** Bytes of a state for an algorithm (NULL: the recursion alone), a multiple of 64. */
+SCHULER_API size_t schuler_mechanization_size(const schuler_mechanization *m,
+                                              const schuler_coning_algorithm *algorithm);
 
 /** All frames as compiled for an instruction set, NULL-terminated; and the index of one, or -1. */
 SCHULER_API const schuler_mechanization *const *schuler_mechanizations(schuler_isa isa);

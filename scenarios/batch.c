@@ -33,16 +33,11 @@ static int list_lanes(lane_batch_state *b, const lane_batch *work)
     return 1;
 }
 
-static size_t padded(size_t size)
-{
-    return (size + STATE_ALIGN - 1) / STATE_ALIGN * STATE_ALIGN;
-}
-
 static int allocate(lane_batch_state *b)
 {
     const size_t sizes[3] = { schuler_chain_state_size(b->chain[SCHULER_ACCEL]),
                               schuler_chain_state_size(b->chain[SCHULER_GYRO]),
-                              padded(b->frame->state_size) };
+                              schuler_mechanization_size(b->frame, b->plan->scenario->coning) };
     const size_t each = sizes[0] + sizes[1] + sizes[2];
     const size_t samples = (size_t)3 * SCHULER_BLOCK * LANES_MAX * sizeof(double);
     b->groups = calloc((size_t)b->group_count, sizeof(*b->groups));

@@ -208,8 +208,9 @@ static schuler_status prepare(navigation *nav, const schuler_trajectory_row *sta
     nav->disturbance =
         (schuler_disturbance){ .field = nav->field, .table = &nav->table, .dt_s = nav->in.dt_s };
     nav->mechanization = schuler_mechanizations(SCHULER_ISA_SCALAR)[nav->options->frame];
-    const size_t size = (nav->mechanization->state_size + 63) / 64 * 64;
-    nav->state = aligned_alloc(64, size);
+    nav->state = aligned_alloc(
+        64, schuler_mechanization_size(nav->mechanization,
+                                       &schuler_coning_algorithms[nav->options->coning]));
     if (!nav->state) return schuler_fail(err, SCHULER_ERR_MEMORY, NULL, "out of memory");
     const schuler_nav_state state = start_state(start);
     const double knows_truth = 0.0;

@@ -31,9 +31,14 @@ typedef struct {
     double T_s, turn_rad; /* of a cycle; turn of the earth in it */
     double implicit_rad, implicit_inverse;
     int order, samples;
-    schuler_coning_algorithm algorithm;
-    coning_group group;
 } ecef;
+
+/* What only some algorithms need lies behind, and is there only for them. */
+typedef struct {
+    ecef nav;
+    const schuler_coning_algorithm *algorithm; /* NULL: the recursion alone */
+    coning_group group;
+} ecef_state;
 
 LANES_INLINE lanes3 minus_turn(double angle_rad, lanes3 a)
 {
@@ -49,7 +54,7 @@ static lanes lane_values(const double *first, size_t stride)
     return lanes_load(x);
 }
 
-static lanes3 gravity_at(const ecef *n, lanes3 r)
+LANES_INLINE lanes3 gravity_at(const ecef *n, lanes3 r)
 {
     lanes g[3];
     lanes_gravity(&n->gravity, r.x, r.y, r.z, g);
@@ -58,7 +63,8 @@ static lanes3 gravity_at(const ecef *n, lanes3 r)
 
 static void init(void *state, const schuler_nav_setup *s)
 {
-    ecef *n = state;
+    ecef_state *const whole = state;
+    ecef *n = &whole->nav;
     const size_t stride = sizeof(schuler_nav_state);
     const schuler_nav_state *first = s->start;
     n->r = (lanes3){ lane_values(&first->r_e.v[0], stride), lane_values(&first->r_e.v[1], stride),
@@ -74,8 +80,8 @@ static void init(void *state, const schuler_nav_setup *s)
     n->gravity = *s->gravity;
     n->samples = s->samples_per_update;
     n->order = s->order;
-    n->algorithm = s->algorithm ? *s->algorithm : (schuler_coning_algorithm){ .samples = 1 };
-    n->group.count = 0;
+    whole->algorithm = s->algorithm && s->algorithm->samples > 1 ? s->algorithm : NULL;
+    if (whole->algorithm) whole->group.count = 0;
     n->T_s = s->samples_per_update * s->dt_s;
     n->turn_rad = SCHULER_OMEGA_IE_RADPS * n->T_s;
     n->implicit_rad = 5.0 / 6.0 * n->turn_rad;
@@ -228,10 +234,10 @@ LANES_INLINE void remember(lanes3 past[SCHULER_PRIME], lanes3 newest, int order)
 
 /* Specialised by the caller's constants: order, whether a cycle is one sample, whether there is a
  * dg. */
-LANES_INLINE void advance_as(ecef *state, const schuler_nav_block *b, int order, int samples,
+LANES_INLINE void advance_as(ecef_state *state, const schuler_nav_block *b, int order, int samples,
                              int has_dg, int grouped)
 {
-    ecef n = *state;
+    ecef n = state->nav;
     const lanes zero = lanes_set(0.0);
     const lanes3 none = { zero, zero, zero };
     block_sums block = { none, none, { zero, zero, zero, zero } };
@@ -250,29 +256,44 @@ LANES_INLINE void advance_as(ecef *state, const schuler_nav_block *b, int order,
         update(&n, &block, sums, has_dg ? block_dg(&n, b, k + samples / 2) : none);
         coning_correction c;
         const coning_sample newest = { n.past_d[0], n.past_u[0] };
-        if (grouped && coning_group_take(&n.group, &n.algorithm, newest, sums, &c))
+        if (grouped && coning_group_take(&state->group, state->algorithm, newest, sums, &c))
             correct(&n, &block, c);
     }
     join(&n, &block);
-    *state = n;
+    state->nav = n;
+}
+
+/* Functions of their own: together they would take each other's registers. */
+__attribute__((noinline)) static void advance_any(ecef_state *state, const schuler_nav_block *b)
+{
+    advance_as(state, b, state->nav.order, state->nav.samples, b->dg_nav_e != NULL,
+               state->algorithm != NULL);
+}
+
+__attribute__((noinline)) static void advance_two(ecef_state *state, const schuler_nav_block *b)
+{
+    advance_as(state, b, 2, 1, 0, 0);
+}
+
+__attribute__((noinline)) static void advance_four(ecef_state *state, const schuler_nav_block *b)
+{
+    advance_as(state, b, 4, 1, 0, 0);
 }
 
 static void advance(void *state, const schuler_nav_block *b)
 {
-    ecef *n = state;
-    const int has_dg = b->dg_nav_e != NULL;
-    const int grouped = n->algorithm.samples > 1;
-    if (has_dg || grouped || n->samples != 1 || n->order == 1)
-        advance_as(n, b, n->order, n->samples, has_dg, grouped);
-    else if (n->order == 2)
-        advance_as(n, b, 2, 1, 0, 0);
+    ecef_state *const s = state;
+    if (b->dg_nav_e != NULL || s->algorithm != NULL || s->nav.samples != 1 || s->nav.order == 1)
+        advance_any(s, b);
+    else if (s->nav.order == 2)
+        advance_two(s, b);
     else
-        advance_as(n, b, 4, 1, 0, 0);
+        advance_four(s, b);
 }
 
 static void hold_vertical(void *state, double height_m, double v_up_mps)
 {
-    ecef *n = state;
+    ecef *n = &((ecef_state *)state)->nav;
     const lanes k = lanes_normal_z(&n->gravity, n->r.x, n->r.y, n->r.z);
     const lanes3 along = { n->r.x, n->r.y, k * n->r.z };
     const lanes3 up = lanes3_scale(lanes_set(1.0) / lanes_sqrt(lanes3_dot(along, along)), along);
@@ -284,7 +305,7 @@ static void hold_vertical(void *state, double height_m, double v_up_mps)
 
 static void get(const void *state, int lane, schuler_nav_state *out)
 {
-    const ecef *n = state;
+    const ecef *n = &((const ecef_state *)state)->nav;
     const lanes *from[10] = { &n->r.x, &n->r.y, &n->r.z, &n->v.x, &n->v.y,
                               &n->v.z, &n->q.w, &n->q.x, &n->q.y, &n->q.z };
     double x[10];
@@ -302,7 +323,8 @@ const schuler_mechanization SCHULER_LANE_NAME(schuler_frame_ecef) = {
     .source =
         "P. G. Savage, Strapdown inertial navigation integration algorithm design, J. Guidance, "
         "Control, and Dynamics 21(1) and 21(2), 1998; P. D. Groves, 2nd ed., ch. 5",
-    .state_size = sizeof(ecef),
+    .state_size = offsetof(ecef_state, group),
+    .group_size = sizeof(ecef_state) - offsetof(ecef_state, group),
     .init = init,
     .advance = advance,
     .hold_vertical = hold_vertical,
