@@ -54,6 +54,10 @@ typedef struct {
     /** Hold the vertical channel: put height and up-velocity to the given values, leave the
      * horizontal channels alone. */
     void (*hold_vertical)(void *state, double height_m, double v_up_mps);
+    /** Heights of the lanes, and corrections of height and up-velocity along each lane's own
+     * vertical. Arrays of one value a lane, aligned to 64. */
+    void (*height)(const void *state, double *height_m);
+    void (*correct_vertical)(void *state, const double *dh_m, const double *dv_up_mps);
     void (*get)(const void *state, int lane, schuler_nav_state *out);
 } schuler_mechanization;
 

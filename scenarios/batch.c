@@ -44,7 +44,13 @@ static int allocate(lane_batch_state *b)
     b->memory = aligned_alloc(STATE_ALIGN, each * (size_t)b->group_count + 2 * samples);
     if (b->needs_nodes) b->nodes = calloc(1, sizeof *b->nodes);
     if (!b->groups || !b->memory || (b->needs_nodes && !b->nodes)) return 0;
+    if (b->plan->scenario->vertical == SCHULER_VERTICAL_BARO) {
+        const size_t places = (size_t)b->group_count * (size_t)b->width;
+        b->vertical_lanes = calloc(places, sizeof *b->vertical_lanes);
+        if (!b->vertical_lanes) return 0;
+    }
     for (int g = 0; g < b->group_count; g++) {
+        if (b->vertical_lanes) b->groups[g].vertical = &b->vertical_lanes[g * b->width];
         char *at = b->memory + 2 * samples + each * (size_t)g;
         b->groups[g].triad[SCHULER_ACCEL] = at;
         b->groups[g].triad[SCHULER_GYRO] = at + sizes[0];
@@ -82,7 +88,8 @@ static schuler_nav_state start_of(const simulation_plan *p, const batch_lane *l,
     *knows_dg = 1.0;
     for (int i = 0; i < p->count; i++) {
         const error_source *s = &p->sources[i];
-        if (!plan_enabled(p, l->row, i) || s->kind == SOURCE_SENSOR) continue;
+        const bool is_of_start = s->kind != SOURCE_SENSOR && s->kind != SOURCE_BARO;
+        if (!plan_enabled(p, l->row, i) || !is_of_start) continue;
         double x[3] = { 0 };
         for (int c = 0; c < s->components; c++)
             x[c] = schuler_source_draw(s, c, p->scenario->seed, (uint64_t)l->run);
@@ -103,6 +110,7 @@ static schuler_nav_state start_of(const simulation_plan *p, const batch_lane *l,
             *knows_dg = 0.0;
             break;
         case SOURCE_SENSOR:
+        case SOURCE_BARO:
             break;
         }
     }
@@ -123,6 +131,43 @@ static schuler_nav_state start_of(const simulation_plan *p, const batch_lane *l,
         .r_e = r_e,
         .v_e = schuler_vec3_add(truth->v_e, schuler_mat3_apply(&truth->C_n_e, dv_n)),
         .q_b_e = q_b_e,
+    };
+}
+
+static void start_barometer(const lane_batch_state *b, const batch_lane *l, double height_m,
+                            barometer *out)
+{
+    const simulation_plan *p = b->plan;
+    double x[SCHULER_BARO_ERRORS] = { 0 };
+    for (int i = 0; i < p->count; i++) {
+        const error_source *s = &p->sources[i];
+        if (s->kind == SOURCE_BARO && plan_enabled(p, l->row, i))
+            x[s->param] = schuler_source_draw(s, 0, p->scenario->seed, (uint64_t)l->run);
+    }
+    const barometer_errors errors = { .bias_m = x[SCHULER_BARO_BIAS],
+                                      .scale_factor = x[SCHULER_BARO_SCALE_FACTOR],
+                                      .lag_s = x[SCHULER_BARO_LAG],
+                                      .noise_m_rts = x[SCHULER_BARO_NOISE],
+                                      .gauss_markov_m = x[SCHULER_BARO_GAUSS_MARKOV] };
+    const barometer_setup setup = { .seed = p->scenario->seed,
+                                    .run = (uint64_t)l->run,
+                                    .interval_s = b->vertical.interval_s,
+                                    .gauss_markov_time_s = p->scenario->gauss_markov_time_s };
+    schuler_barometer_start(out, &setup, &errors, height_m);
+}
+
+/* The loop's gains are those of the place of the start: 2g/R changes by 1 % over the earth, and is a
+ * hundredth of k2. */
+static void set_up_vertical(lane_batch_state *b, const schuler_truth_state *truth)
+{
+    const schuler_scenario *s = b->plan->scenario;
+    const schuler_gravity_table *gravity = schuler_truth_nav_gravity(b->plan->truth);
+    const double g_mps2 = schuler_vec3_norm(schuler_gravity_at(gravity, truth->r_e));
+    const int samples = schuler_vertical_interval(s->imu.rate_hz, s->samples_per_update);
+    b->vertical = (vertical_setup){
+        .gains = schuler_baro_gains_of(s->baro_time_s, g_mps2, truth->llh.lat_rad),
+        .interval_s = samples * schuler_truth_dt(b->plan->truth),
+        .width = b->width,
     };
 }
 
@@ -164,6 +209,11 @@ static void start_navigators(const lane_batch_state *b, int g, const schuler_tru
             nav.prime_dv[k][i] = before->dv_ib_b[i][SCHULER_PRIME - 1 - k];
         }
     b->frame->init(b->groups[g].nav, &nav);
+    vertical_lane *const vertical = b->groups[g].vertical;
+    for (int k = 0; vertical && k < b->width; k++)
+        start_barometer(b, lane_at(b, g, k), truth->llh.h_m, &vertical[k].sensor);
+    if (vertical)
+        schuler_vertical_start(&b->vertical, b->frame, b->groups[g].nav, vertical, truth->llh.h_m);
 }
 
 static schuler_status make_chain(lane_batch_state *b, schuler_instrument instrument,
@@ -205,6 +255,7 @@ void schuler_batch_navigators(lane_batch_state *b, const schuler_quat *q_b_e)
     schuler_truth_block before;
     schuler_truth_at(p->truth, 0.0, &start);
     schuler_truth_block_compute(p->truth, p->isa, -SCHULER_PRIME, SCHULER_PRIME, &before);
+    if (p->scenario->vertical == SCHULER_VERTICAL_BARO) set_up_vertical(b, &start);
     for (int g = 0; g < b->group_count; g++) start_navigators(b, g, &start, &before, q_b_e);
 }
 
@@ -221,5 +272,6 @@ void schuler_batch_state_free(lane_batch_state *b)
     free(b->nodes);
     free(b->lanes);
     free(b->groups);
+    free(b->vertical_lanes);
     free(b->memory);
 }

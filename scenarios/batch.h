@@ -6,6 +6,7 @@
 #include "core/truth.h"
 #include "mechanization/mechanization.h"
 #include "scenarios/plan.h"
+#include "scenarios/vertical.h"
 #include "sensors/chain.h"
 
 typedef struct {
@@ -18,6 +19,7 @@ typedef struct {
 typedef struct {
     void *triad[SCHULER_INSTRUMENTS];
     void *nav;
+    vertical_lane *vertical; /* NULL unless there is a barometer */
 } lane_group;
 
 typedef struct {
@@ -30,6 +32,8 @@ typedef struct {
     int count;
     lane_group *groups;
     int group_count;
+    vertical_setup vertical;               /* of the barometers' loops */
+    vertical_lane *vertical_lanes;         /* of all groups, or NULL   */
     char *memory;                          /* of all states */
     double *measured[SCHULER_INSTRUMENTS]; /* [axis][step][lane], reused by every group */
     schuler_truth_nodes *nodes;            /* NULL unless they are needed */

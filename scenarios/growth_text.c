@@ -76,6 +76,54 @@ static const schuler_growth_other others[] = {
             "or quick turns are not followed.",
         .depends = "On motion and vibration against navigation.coning, samples_per_update and the "
                    "rate of the samples." } },
+    { "baro.bias",
+      "what the barometer reads, less the height (navigation.vertical: baro)",
+      "reading = h + b",
+      "{normal: 30 m}",
+      { .process = "a constant of the run",
+        .first = "height: 3 b t/T, T the loop's time constant (navigation.baro_time)",
+        .later =
+            "height: b. Level: at a speed v a velocity error of b v/R, which swings: b v/(R w) at "
+            "most, 3 m for 100 m at 250 m/s.",
+        .depends =
+            "Level, on the speed; at rest there is Coriolis of the settling alone, a swing of "
+            "2 W cos(L) b/w: 4 m for 50 m at 45 deg." } },
+    { "baro.scale_factor",
+      "relative error of the height over that of the start",
+      "reading = h + s (h - h_start)",
+      "{normal: 1 %}",
+      { .process = "proportional to the climb since the start: a column of air that is warmer or "
+                   "colder than the standard one, about 1 % for 3 K",
+        .first = "height: follows s (h - h_start) within the loop's time constant",
+        .later = "height: s (h - h_start). Level: as baro.bias.",
+        .depends = "On the heights flown; nothing in level flight at the height of the start." } },
+    { "baro.lag",
+      "time constant with which the reading follows the height",
+      "d(reading)/dt = (h - reading)/T",
+      "1 s",
+      { .process = "first order, settled at the start; of the true height alone",
+        .first = "height: nothing until a climb begins",
+        .later = "height: minus T times the rate of climb, within the loop's time constant; gone "
+                 "again in level flight.",
+        .depends = "On the rate of climb." } },
+    { "baro.noise",
+      "white noise of the reading, root of its two-sided density",
+      "reading = h + N w",
+      "1 m/sqrt(Hz)",
+      { .process = "white noise",
+        .first = "height: 3 N sqrt(t)/T",
+        .later = "height: sqrt(33/16) N/sqrt(T) rms with T the loop's time constant: 0.14 m for 1 "
+                 "m/sqrt(Hz) and 100 s.",
+        .depends = "On the loop alone." } },
+    { "baro.gauss_markov",
+      "the weather: pressure that wanders, its sigma in height",
+      "dp/dt = -p/T + sigma sqrt(2/T) w",
+      "20 m",
+      { .process = "first-order Gauss-Markov, correlated over gauss_markov_time",
+        .first = "height: as baro.bias, for it has a value at the start",
+        .later = "height: follows it, as far as it is slower than the loop; sigma then. Level: as "
+                 "baro.bias.",
+        .depends = "On the loop: what is quicker than its time constant is averaged out." } },
     { 0 },
 };
 

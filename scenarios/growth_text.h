@@ -28,7 +28,7 @@ typedef struct {
 SCHULER_API const schuler_growth_text *schuler_growth_text_of(schuler_instrument instrument,
                                                               schuler_acts acts);
 /** The others: initial.position, .velocity, .tilt, .heading, in this order, gravity.disturbance,
- *  numerical; ended by id NULL. */
+ *  numerical, baro.* in the order of schuler_baro_error; ended by id NULL. */
 SCHULER_API const schuler_growth_other *schuler_growth_others(void);
 
 /** Where the laws can be read up. */

@@ -17,6 +17,9 @@ typedef struct {
     const schuler_mechanization *mechanization;
     void *state;
     int64_t step;
+    int64_t before_step; /* of the reference row before */
+    schuler_baro_gains gains;
+    schuler_baro_loop loop;
     schuler_navigate_result result;
 } navigation;
 
@@ -79,12 +82,43 @@ static void add_errors(schuler_navigate_result *result, const schuler_nav_state 
     add_figure(&result->attitude_rad, schuler_vec3_norm(phi_n));
 }
 
+/* The height of the row as a barometer reads it. */
+static schuler_status follow_barometer(navigation *nav, const schuler_trajectory_row *reference,
+                                       schuler_error *err)
+{
+    double height_m[1] __attribute__((aligned(64)));
+    double dh_m[1] __attribute__((aligned(64))), dv_mps[1] __attribute__((aligned(64)));
+    const double T_s = (double)(nav->step - nav->before_step) * nav->in.dt_s;
+    nav->before_step = nav->step;
+    if (T_s > SCHULER_BARO_TIME_S / SCHULER_BARO_UPDATES_MIN)
+        return schuler_csv_refuse(nav->reference, 0, err,
+                                  "this row comes %.9g s after the one before; as a barometer "
+                                  "(vertical: baro) the reference needs rows at most %g s apart",
+                                  T_s, SCHULER_BARO_TIME_S / SCHULER_BARO_UPDATES_MIN);
+    nav->mechanization->height(nav->state, height_m);
+    const double e_m = height_m[0] - reference->llh.h_m;
+    schuler_baro_update(&nav->loop, &nav->gains, T_s, e_m, dh_m, dv_mps);
+    nav->mechanization->correct_vertical(nav->state, dh_m, dv_mps);
+    return SCHULER_OK;
+}
+
+static schuler_status steady(navigation *nav, const schuler_trajectory_row *reference,
+                             schuler_error *err)
+{
+    if (nav->step == 0) return SCHULER_OK;
+    if (nav->options->vertical == SCHULER_VERTICAL_BARO)
+        return follow_barometer(nav, reference, err);
+    if (nav->options->vertical == SCHULER_VERTICAL_TRUTH)
+        nav->mechanization->hold_vertical(nav->state, reference->llh.h_m, -reference->v_n.v[2]);
+    return SCHULER_OK;
+}
+
 /* At a reference time: hold, hand out the row, compare. The first row is the start itself. */
 static schuler_status report(navigation *nav, const schuler_trajectory_row *reference,
                              schuler_error *err)
 {
-    if (nav->options->hold_vertical && nav->step > 0)
-        nav->mechanization->hold_vertical(nav->state, reference->llh.h_m, -reference->v_n.v[2]);
+    const schuler_status status = steady(nav, reference, err);
+    if (status != SCHULER_OK) return status;
     schuler_nav_state s;
     nav->mechanization->get(nav->state, 0, &s);
     if (!is_finite(&s))
@@ -97,7 +131,7 @@ static schuler_status report(navigation *nav, const schuler_trajectory_row *refe
             err, SCHULER_ERR_NUMERIC, NULL,
             "at %.9g s the navigator's height is %.4g km, where gravity is not known%s",
             reference->t_s, row.llh.h_m / 1000.0,
-            nav->options->hold_vertical
+            nav->options->vertical != SCHULER_VERTICAL_FREE
                 ? ""
                 : " (a free vertical channel diverges; hold it with vertical: truth)");
     if (nav->step > 0) add_errors(&nav->result, &s, row.llh.h_m, &C_b_n, reference);
@@ -224,6 +258,9 @@ static schuler_status prepare(navigation *nav, const schuler_trajectory_row *sta
                                 .dg_coefficient = &knows_truth };
     schuler_increments_prime(&nav->in, &setup);
     nav->mechanization->init(nav->state, &setup);
+    nav->gains = schuler_baro_gains_of(
+        SCHULER_BARO_TIME_S, schuler_vec3_norm(schuler_gravity_at(&nav->table, state.r_e)),
+        start->llh.lat_rad);
     return SCHULER_OK;
 }
 

@@ -4,6 +4,7 @@
 #ifndef SCHULER_SCENARIOS_NAVIGATE_H
 #define SCHULER_SCENARIOS_NAVIGATE_H
 
+#include "mechanization/vertical.h"
 #include "scenarios/trajectory_file.h"
 #include <stdint.h>
 
@@ -13,9 +14,10 @@ typedef struct {
     const char *imu_file, *reference_file;
     int frame; /* index into schuler_mechanizations()                                    */
     const char *gravity; /* name for schuler_field_open */
-    int hold_vertical; /* 1: height and down-velocity are put to the reference's at each of its rows
-                        */
-    int coning;        /* index of schuler_coning_algorithms; 0 is the default                  */
+    schuler_vertical
+        vertical; /* truth: height and down-velocity are put to the reference's at each of
+                                  its rows; baro: its height is what a barometer reads there */
+    int coning; /* index of schuler_coning_algorithms; 0 is the default                          */
     /* Called with the navigator's trajectory at each reference time; a non-OK status stops. */
     schuler_status (*row)(void *user, const schuler_trajectory_row *row);
     void (*progress)(void *user, double fraction); /* or NULL; some hundred times in all */

@@ -33,8 +33,14 @@ typedef struct {
         schuler_place place;
         const schuler_node *frame, *gravity;
         const char *vertical, *samples_per_update;
+        double baro_time_s; /* NAN = not given */
         const schuler_node *coning;
     } navigation;
+    struct {
+        schuler_place place;
+        schuler_value errors[SCHULER_BARO_ERRORS];
+        double gauss_markov_time_s; /* NAN = not given */
+    } baro;
     struct {
         schuler_place place;
         schuler_text_list only, without;

@@ -7,6 +7,7 @@
 #include "core/schema.h"
 #include "core/trajectory.h"
 #include "mechanization/algorithms.h"
+#include "mechanization/vertical.h"
 #include "sensors/plugins.h"
 #include "sensors/temperature.h"
 
@@ -30,7 +31,15 @@ typedef struct {
     schuler_triad triad[SCHULER_INSTRUMENTS];
 } schuler_imu;
 
-typedef enum { SCHULER_VERTICAL_TRUTH, SCHULER_VERTICAL_FREE } schuler_vertical;
+/* Errors of the barometer: sources baro.bias and so on, one component each. */
+typedef enum {
+    SCHULER_BARO_BIAS,         /* m                                                            */
+    SCHULER_BARO_SCALE_FACTOR, /* of the height over the start                                  */
+    SCHULER_BARO_LAG,          /* time constant, s                                              */
+    SCHULER_BARO_NOISE,        /* white, m sqrt(s)                                              */
+    SCHULER_BARO_GAUSS_MARKOV, /* sigma, m                                                      */
+    SCHULER_BARO_ERRORS
+} schuler_baro_error;
 
 typedef enum { SCHULER_STAT_CEP, SCHULER_STAT_R95, SCHULER_STAT_RMS } schuler_statistic;
 
@@ -68,6 +77,9 @@ typedef struct schuler_scenario {
     int frame;                /* index into schuler_mechanizations()                        */
     const char *nav_gravity;
     schuler_vertical vertical;
+    double baro_time_s; /* time constant of the loop of SCHULER_VERTICAL_BARO                   */
+    schuler_value baro[SCHULER_BARO_ERRORS];
+    double gauss_markov_time_s; /* of SCHULER_BARO_GAUSS_MARKOV; NAN without                    */
     int order, samples_per_update;
     const schuler_coning_algorithm *coning; /* order is its recursion's                       */
     schuler_text_list only, without;

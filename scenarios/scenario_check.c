@@ -4,6 +4,7 @@
 #include "scenarios/reader.h"
 #include "scenarios/source_count.h"
 #include "scenarios/sources.h"
+#include "scenarios/vertical.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -117,6 +118,53 @@ static void check_align(schuler_reading *r, const schuler_scenario_file *file,
                          s->period_s, out->for_s / 3.0);
 }
 
+static void check_barometer(schuler_reading *r, const schuler_scenario_file *file,
+                            schuler_scenario *s)
+{
+    const schuler_value *const weather = &file->baro.errors[SCHULER_BARO_GAUSS_MARKOV];
+    memcpy(s->baro, file->baro.errors, sizeof s->baro);
+    s->gauss_markov_time_s = file->baro.gauss_markov_time_s;
+    if (weather->given && isnan(s->gauss_markov_time_s))
+        schuler_diagnose(r->d, SCHULER_ERR_INPUT, &weather->place,
+                         "'baro' needs the key 'gauss_markov_time' beside 'gauss_markov', for "
+                         "example: 1 h");
+    else if (!weather->given && !isnan(s->gauss_markov_time_s))
+        schuler_diagnose(r->d, SCHULER_ERR_INPUT, &file->baro.place,
+                         "'baro' has 'gauss_markov_time' without 'gauss_markov'");
+    if (file->baro.place.file && s->vertical != SCHULER_VERTICAL_BARO)
+        schuler_warn(r->d, &file->baro.place,
+                     "'baro' has no effect: it acts with navigation.vertical: baro only");
+}
+
+static void check_vertical(schuler_reading *r, const schuler_scenario_file *file,
+                           schuler_scenario *s)
+{
+    const char *const word = file->navigation.vertical;
+    const double written_s = file->navigation.baro_time_s;
+    s->vertical = strcmp(word, "free") == 0   ? SCHULER_VERTICAL_FREE
+                  : strcmp(word, "baro") == 0 ? SCHULER_VERTICAL_BARO
+                                              : SCHULER_VERTICAL_TRUTH;
+    s->baro_time_s = isnan(written_s) ? SCHULER_BARO_TIME_S : written_s;
+    if (!isnan(written_s) && s->vertical != SCHULER_VERTICAL_BARO)
+        schuler_warn(r->d, &file->navigation.place,
+                     "navigation.baro_time has no effect: it acts with vertical: baro only");
+    check_barometer(r, file, s);
+}
+
+/* The loop against the interval of its updates, once the rate is known. */
+static void check_baro_time(schuler_reading *r, const schuler_scenario_file *file,
+                            const schuler_scenario *s)
+{
+    if (s->vertical != SCHULER_VERTICAL_BARO) return;
+    const double interval_s =
+        schuler_vertical_interval(s->imu.rate_hz, s->samples_per_update) / s->imu.rate_hz;
+    if (s->baro_time_s < SCHULER_BARO_UPDATES_MIN * interval_s)
+        schuler_diagnose(r->d, SCHULER_ERR_INPUT, &file->navigation.place,
+                         "navigation.baro_time: %g s is too short for navigation updates every %g "
+                         "s; allowed: %g s and more",
+                         s->baro_time_s, interval_s, SCHULER_BARO_UPDATES_MIN * interval_s);
+}
+
 void schuler_scenario_check(schuler_reading *r, const schuler_scenario_file *file,
                             schuler_scenario *s)
 {
@@ -126,8 +174,7 @@ void schuler_scenario_check(schuler_reading *r, const schuler_scenario_file *fil
     s->truth_gravity = check_gravity(r, file->truth.gravity, "truth.gravity");
     s->nav_gravity = check_gravity(r, file->navigation.gravity, "navigation.gravity");
     s->frame = check_frame(r, file->navigation.frame);
-    s->vertical = strcmp(file->navigation.vertical, "free") == 0 ? SCHULER_VERTICAL_FREE
-                                                                 : SCHULER_VERTICAL_TRUTH;
+    check_vertical(r, file, s);
     s->coning = check_coning(r, file->navigation.coning);
     s->order = s->coning->order;
     s->samples_per_update = *file->navigation.samples_per_update - '0'; /* by its choices */
@@ -162,6 +209,7 @@ void schuler_scenario_check_duration(schuler_reading *r, const schuler_scenario_
     enum { REPORTS_MAX = 100000 };
     const double schuler_period_s = 84.4 * 60.0, duration_s = s->path.duration_s;
     const double every_s = file->report.every_s;
+    check_baro_time(r, file, s);
     s->report_s = isnan(every_s) ? usual_interval(duration_s) : every_s;
     if (s->report_s > duration_s) s->report_s = duration_s;
     const schuler_motion start = schuler_path_at(&s->path, 0.0);
@@ -199,7 +247,7 @@ void schuler_scenario_check_duration(schuler_reading *r, const schuler_scenario_
 }
 
 typedef struct {
-    const char *names[2 * SCHULER_PARAMS_MAX + 16];
+    const char *names[2 * SCHULER_PARAMS_MAX + 24];
     size_t count;
 } name_list;
 
@@ -241,8 +289,8 @@ static void check_names(schuler_reading *r, const schuler_text_list *words, cons
 void schuler_scenario_check_sources(schuler_reading *r, const schuler_scenario *s)
 {
     static const char *const others[] = {
-        "initial",         "initial.position", "initial.velocity",    "initial.tilt",
-        "initial.heading", "gravity",          "gravity.disturbance", "numerical"
+        "initial", "initial.position",    "initial.velocity", "initial.tilt", "initial.heading",
+        "gravity", "gravity.disturbance", "numerical",        "baro"
     };
     /* Names of a triad whose model is not known cannot be judged. */
     for (int i = 0; i < SCHULER_INSTRUMENTS; i++)
@@ -250,6 +298,8 @@ void schuler_scenario_check_sources(schuler_reading *r, const schuler_scenario *
     name_list known = { .count = 0 };
     add_sensor_names(r, s, &known);
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) add_name(&known, others[i]);
+    for (int i = 0; i < SCHULER_BARO_ERRORS; i++)
+        add_name(&known, schuler_reading_path(r, "baro", schuler_baro_key((schuler_baro_error)i)));
     check_names(r, &s->only, "errors.only", &known);
     check_names(r, &s->without, "errors.without", &known);
 }

@@ -99,7 +99,7 @@ static const schuler_object initial_object = {
     .fields = initial_fields,
 };
 
-static const char *const verticals[] = { "truth", "free", NULL };
+static const char *const verticals[] = { "truth", "free", "baro", NULL };
 static const char *const sample_counts[] = { "1", "2", "4", "8", NULL };
 static const schuler_field navigation_fields[] = {
     { .key = "frame",
@@ -123,6 +123,15 @@ static const schuler_field navigation_fields[] = {
       .offset = IN(navigation, coning),
       .example = "cubic",
       .doc = "attitude algorithm: what corrects for coning and sculling" },
+    { .key = "baro_time",
+      .kind = SCHULER_FIELD_QUANTITY,
+      .offset = IN(navigation, baro_time_s),
+      .dim = SCHULER_DIM_TIME,
+      .def = NAN,
+      .min = 1.0,
+      .max = 1e5,
+      .example = "100 s",
+      .doc = "time constant of the loop of vertical: baro" },
     { .key = "samples_per_update",
       .kind = SCHULER_FIELD_CHOICE,
       .offset = IN(navigation, samples_per_update),
@@ -136,6 +145,40 @@ static const schuler_object navigation_object = {
     .doc = "the navigator",
     .size = SIZE(navigation),
     .fields = navigation_fields,
+};
+
+#define BARO(key_, error_, dim_, min_, max_, example_, doc_)                                       \
+    {                                                                                              \
+        .key = key_, .kind = SCHULER_FIELD_VALUE, .offset = IN(baro, errors[error_]), .dim = dim_, \
+        .components = 1, .min = min_, .max = max_, .example = example_, .doc = doc_                \
+    }
+static const schuler_field baro_fields[] = {
+    BARO("bias", SCHULER_BARO_BIAS, SCHULER_DIM_LENGTH, -1e4, 1e4, "{normal: 30 m}",
+         "reading less height"),
+    BARO("scale_factor", SCHULER_BARO_SCALE_FACTOR, SCHULER_DIM_NONE, -0.5, 0.5, "{normal: 1 %}",
+         "error of the height over the start, relative"),
+    BARO("lag", SCHULER_BARO_LAG, SCHULER_DIM_TIME, 0.0, 1e4, "1 s",
+         "time constant with which it follows"),
+    BARO("noise", SCHULER_BARO_NOISE, SCHULER_DIM_HEIGHT_NOISE, 0.0, 1e4, "1 m/sqrt(Hz)",
+         "white noise, root of the two-sided density"),
+    BARO("gauss_markov", SCHULER_BARO_GAUSS_MARKOV, SCHULER_DIM_LENGTH, 0.0, 1e4, "20 m",
+         "the weather, a first-order Gauss-Markov process, its sigma"),
+    { .key = "gauss_markov_time",
+      .kind = SCHULER_FIELD_QUANTITY,
+      .offset = IN(baro, gauss_markov_time_s),
+      .dim = SCHULER_DIM_TIME,
+      .def = NAN,
+      .min = 1e-3,
+      .max = 1e9,
+      .example = "1 h",
+      .doc = "correlation time of gauss_markov" },
+    { .key = NULL },
+};
+static const schuler_object baro_object = {
+    .name = "baro",
+    .doc = "errors of the barometer",
+    .size = SIZE(baro),
+    .fields = baro_fields,
 };
 
 static const schuler_field errors_fields[] = {
@@ -244,6 +287,7 @@ static const schuler_field scenario_fields[] = {
       .doc = "the inertial sensors" },
     OBJECT(initial, "errors of the start"),
     OBJECT(navigation, "the navigator"),
+    OBJECT(baro, "errors of the barometer"),
     OBJECT(errors, "which error sources act"),
     OBJECT(requirement, "what the navigator must meet"),
     OBJECT(report, "when errors are looked at"),

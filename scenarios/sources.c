@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "scenarios/sources.h"
+#include "sensors/barometer.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -21,6 +22,18 @@ bool schuler_source_selected(const schuler_scenario *s, const char *id, const ch
 {
     return selected(&s->only, &s->without, id, group);
 }
+
+static const struct {
+    const char *key;
+    unsigned number;
+    bool noisy;
+} baro_sources[SCHULER_BARO_ERRORS] = {
+    [SCHULER_BARO_BIAS] = { "bias", BAROMETER_BIAS, false },
+    [SCHULER_BARO_SCALE_FACTOR] = { "scale_factor", BAROMETER_SCALE_FACTOR, false },
+    [SCHULER_BARO_LAG] = { "lag", BAROMETER_LAG, false },
+    [SCHULER_BARO_NOISE] = { "noise", BAROMETER_NOISE, true },
+    [SCHULER_BARO_GAUSS_MARKOV] = { "gauss_markov", BAROMETER_GAUSS_MARKOV, true },
+};
 
 /* The list so far, and who may get in. */
 typedef struct {
@@ -73,6 +86,27 @@ int schuler_sources_of_imu(const schuler_imu *imu, const schuler_text_list *only
     return l.count;
 }
 
+const char *schuler_baro_key(schuler_baro_error error)
+{
+    return baro_sources[error].key;
+}
+
+/* They act through the loop alone. */
+static void add_barometer(source_list *l, const schuler_scenario *s)
+{
+    if (s->vertical != SCHULER_VERTICAL_BARO) return;
+    for (int i = 0; i < SCHULER_BARO_ERRORS; i++)
+        add(l,
+            (error_source){ .kind = SOURCE_BARO,
+                            .group = "baro",
+                            .param = i,
+                            .number = baro_sources[i].number,
+                            .components = 1,
+                            .value = &s->baro[i],
+                            .drawn = baro_sources[i].noisy },
+            baro_sources[i].key);
+}
+
 int schuler_sources_list(const schuler_scenario *s, error_source out[SOURCES_MAX])
 {
     /* Numbers 1 to 4 belong to the start; sensor parameters have theirs from 100 on. */
@@ -100,6 +134,7 @@ int schuler_sources_list(const schuler_scenario *s, error_source out[SOURCES_MAX
             initial[i].key);
     if (strcmp(s->truth_gravity, s->nav_gravity) != 0)
         add(&l, (error_source){ .kind = SOURCE_GRAVITY, .group = "gravity" }, "disturbance");
+    add_barometer(&l, s);
     return l.count;
 }
 

@@ -7,8 +7,9 @@
 /* An instant within the current block where something happens: after `cut` of its samples. */
 typedef struct {
     int cut;
-    bool is_report, is_hold;
-    size_t index; /* of the report; 0 is the start */
+    bool is_report, is_hold; /* held, or steadied by the barometer */
+    uint64_t update;         /* of the barometer, from 1 on        */
+    size_t index;            /* of the report; 0 is the start */
     schuler_truth_state truth;
 } block_event;
 
@@ -25,6 +26,15 @@ static void navigate(const lane_batch_state *b, const lane_group *group,
         .dg_truth_e = truth->has_dg ? &truth->dg_truth_e[0][from] : NULL,
     };
     b->frame->advance(group->nav, &block);
+}
+
+static void steady(const lane_batch_state *b, const lane_group *group, const block_event *e)
+{
+    if (group->vertical)
+        schuler_vertical_update(&b->vertical, b->frame, group->nav, group->vertical, e->update,
+                                e->truth.llh.h_m);
+    else
+        b->frame->hold_vertical(group->nav, e->truth.llh.h_m, -e->truth.v_n.v[2]);
 }
 
 /* Errors of one group's lanes. Groups come in order and lanes of a chunk are in run order, so the
@@ -48,7 +58,7 @@ static schuler_status compare_group(const lane_batch_state *b, int g, const bloc
                                 "the navigator of '%s', run %d, was no longer finite at %.10g s",
                                 schuler_plan_row_id(b->plan, l->row), l->run, at->truth.t_s);
         /* Held to the truth the height needs no look; free, it runs away. */
-        const double h_m = b->plan->scenario->vertical == SCHULER_VERTICAL_FREE
+        const double h_m = b->plan->scenario->vertical != SCHULER_VERTICAL_TRUTH
                                ? schuler_llh_from_ecef(nav.r_e).h_m
                                : 0.0;
         if (h_m < COMPARATOR_HEIGHT_MIN_M || h_m > COMPARATOR_HEIGHT_MAX_M)
@@ -79,14 +89,19 @@ static int hold_interval(const simulation_plan *p)
 /* The events within samples first+1 .. first+n; out has room for SCHULER_BLOCK of them. */
 static int events_in(const simulation_plan *p, int64_t first, int n, block_event *out)
 {
-    const bool holding = p->scenario->vertical == SCHULER_VERTICAL_TRUTH;
-    const int interval = hold_interval(p);
+    const schuler_scenario *s = p->scenario;
+    const bool holding = s->vertical == SCHULER_VERTICAL_TRUTH,
+               has_baro = s->vertical == SCHULER_VERTICAL_BARO;
+    const int interval = has_baro ? schuler_vertical_interval(s->imu.rate_hz, s->samples_per_update)
+                                  : hold_interval(p);
     int count = 0;
     for (int cut = 1; cut <= n; cut++) {
         const int64_t step = first + cut;
         block_event *e = &out[count];
         e->is_report = step % p->report_steps == 0 || step == p->steps;
         e->is_hold = holding && (e->is_report || cut % interval == 0 || cut == n);
+        if (has_baro) e->is_hold = cut % interval == 0;
+        e->update = (uint64_t)(step / interval);
         if (!e->is_report && !e->is_hold) continue;
         e->cut = cut;
         e->index = step == p->steps ? p->reports : (size_t)(step / p->report_steps);
@@ -127,8 +142,7 @@ static schuler_status fly(const lane_batch_state *b, batch_tick tick, void *user
                 const block_event *e = &events[i];
                 navigate(b, group, &truth, from, e->cut - from);
                 from = e->cut;
-                if (e->is_hold)
-                    b->frame->hold_vertical(group->nav, e->truth.llh.h_m, -e->truth.v_n.v[2]);
+                if (e->is_hold) steady(b, group, e);
                 if (e->is_report) status = compare_group(b, g, e, out, err);
             }
             if (from < n) navigate(b, group, &truth, from, n - from);

@@ -291,16 +291,37 @@ static void advance(void *state, const schuler_nav_block *b)
         advance_four(s, b);
 }
 
+LANES_INLINE lanes3 up_at(const ecef *n)
+{
+    const lanes k = lanes_normal_z(&n->gravity, n->r.x, n->r.y, n->r.z);
+    const lanes3 along = { n->r.x, n->r.y, k * n->r.z };
+    return lanes3_scale(lanes_set(1.0) / lanes_sqrt(lanes3_dot(along, along)), along);
+}
+
+LANES_INLINE void move_along(ecef *n, lanes3 up, lanes dh, lanes dv)
+{
+    n->r = add3_with_rest(n->r, lanes3_scale(dh, up), &n->r_rest);
+    n->v = add3_with_rest(n->v, lanes3_scale(dv, up), &n->v_rest);
+}
+
 static void hold_vertical(void *state, double height_m, double v_up_mps)
 {
     ecef *n = &((ecef_state *)state)->nav;
-    const lanes k = lanes_normal_z(&n->gravity, n->r.x, n->r.y, n->r.z);
-    const lanes3 along = { n->r.x, n->r.y, k * n->r.z };
-    const lanes3 up = lanes3_scale(lanes_set(1.0) / lanes_sqrt(lanes3_dot(along, along)), along);
+    const lanes3 up = up_at(n);
     const lanes dh = lanes_set(height_m) - lanes_height(&n->gravity, n->r.x, n->r.y, n->r.z);
-    const lanes dv = lanes_set(v_up_mps) - lanes3_dot(n->v, up);
-    n->r = add3_with_rest(n->r, lanes3_scale(dh, up), &n->r_rest);
-    n->v = add3_with_rest(n->v, lanes3_scale(dv, up), &n->v_rest);
+    move_along(n, up, dh, lanes_set(v_up_mps) - lanes3_dot(n->v, up));
+}
+
+static void height(const void *state, double *height_m)
+{
+    const ecef *n = &((const ecef_state *)state)->nav;
+    lanes_store(height_m, lanes_height(&n->gravity, n->r.x, n->r.y, n->r.z));
+}
+
+static void correct_vertical(void *state, const double *dh_m, const double *dv_up_mps)
+{
+    ecef *n = &((ecef_state *)state)->nav;
+    move_along(n, up_at(n), lanes_load(dh_m), lanes_load(dv_up_mps));
 }
 
 static void get(const void *state, int lane, schuler_nav_state *out)
@@ -328,5 +349,7 @@ const schuler_mechanization SCHULER_LANE_NAME(schuler_frame_ecef) = {
     .init = init,
     .advance = advance,
     .hold_vertical = hold_vertical,
+    .height = height,
+    .correct_vertical = correct_vertical,
     .get = get,
 };

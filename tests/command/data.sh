@@ -35,6 +35,8 @@ same header wanted
 # Perfect increments at rest: rounding only, far below a micrometre in two minutes.
 json r.json errors horizontal_m max | awk '{ exit !($1 < 1e-6) }' || complain "drift $(json r.json errors horizontal_m max) m"
 [ "$(json r.json increments)" = 6000 ] || complain "increments $(json r.json increments)"
+expect 0 "$SCHULER" navigate --imu imu.csv --reference reference.csv --out nav3.csv --vertical baro
+has out "vertical baro"
 expect 0 "$SCHULER" navigate --imu imu.csv --reference reference.csv --out nav2.csv --vertical truth --coning previous --gravity grs80 --json -
 json out format >value
 [ "$(cat value)" = schuler-navigate-1 ] || complain "JSON on standard output"

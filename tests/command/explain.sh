@@ -17,7 +17,8 @@ for source in accel.scale_factor accel.misalignment accel.velocity_random_walk a
     accel.bias_ramp accel.sinusoid accel.thermal_transient accel.quantization accel.bandwidth accel.lever_arm accel.K2 accel.bias_temperature \
     gyro.scale_factor gyro.misalignment gyro.angle_random_walk gyro.bias_instability gyro.gauss_markov gyro.gauss_markov_2 gyro.bias_random_walk \
     gyro.bias_ramp gyro.sinusoid gyro.thermal_transient gyro.quantization gyro.delay gyro.D_SS gyro.g_sensitivity gyro.lock_in \
-    initial.position initial.velocity initial.tilt initial.heading gravity.disturbance numerical; do
+    initial.position initial.velocity initial.tilt initial.heading gravity.disturbance numerical \
+    baro.bias baro.scale_factor baro.lag baro.noise baro.gauss_markov; do
     expect 0 "$SCHULER" explain $source --json all.json
     has out "How its position error grows"
     has out "depends"
@@ -65,6 +66,13 @@ expect 0 "$SCHULER" explain gravity.disturbance mission.yaml
 has out "truth.gravity and navigation.gravity are both wgs84"
 expect 0 "$SCHULER" explain gravity.disturbance mission.yaml --set truth.gravity=grs80
 has out "the same in every run"
+expect 0 "$SCHULER" explain baro.bias mission.yaml
+has out "there is no barometer"
+expect 0 "$SCHULER" explain baro.bias mission.yaml --set navigation.vertical=baro
+has out "not set in the scenario: zero"
+expect 0 "$SCHULER" explain baro.bias mission.yaml --set navigation.vertical=baro --set 'baro.bias={normal: 50 m}'
+has out "50 m"
+has out "95 % limits"
 expect 0 "$SCHULER" explain numerical mission.yaml
 has out "drift"
 # The model: the scenario's, --imu's, or the one that is asked for.

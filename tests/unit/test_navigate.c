@@ -8,6 +8,7 @@
 #include "scenarios/navigate.h"
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 static const double dt_s = 0.02;
@@ -94,7 +95,7 @@ static schuler_status count_row(void *user, const schuler_trajectory_row *row)
     return SCHULER_OK;
 }
 
-static schuler_status navigate(const files *f, const char *gravity, int hold,
+static schuler_status navigate(const files *f, const char *gravity, schuler_vertical vertical,
                                schuler_navigate_result *out, schuler_error *err)
 {
     int rows = 0;
@@ -103,7 +104,7 @@ static schuler_status navigate(const files *f, const char *gravity, int hold,
         .reference_file = f->reference,
         .frame = schuler_mechanization_find("ecef"),
         .gravity = gravity,
-        .hold_vertical = hold,
+        .vertical = vertical,
         .row = count_row,
         .user = &rows,
     };
@@ -118,7 +119,7 @@ static void at_rest_stays_at_rest(void **state)
     const recording r = { .steps = 3000, .every = 50 };
     schuler_navigate_result result;
     record(*state, &r);
-    assert_int_equal(navigate(*state, "wgs84", 0, &result, NULL), SCHULER_OK);
+    assert_int_equal(navigate(*state, "wgs84", SCHULER_VERTICAL_FREE, &result, NULL), SCHULER_OK);
     assert_int_equal(result.steps, 3000);
     assert_int_equal(result.rows, 61);
     CHECK_NEAR(result.dt_s, dt_s, 1e-17);
@@ -137,7 +138,7 @@ static void accelerometer_bias_grows_with_the_square_of_time(void **state)
     const double end_m = 0.5 * b_mps2 * t_s * t_s;
     schuler_navigate_result result;
     record(*state, &r);
-    assert_int_equal(navigate(*state, "wgs84", 1, &result, NULL), SCHULER_OK);
+    assert_int_equal(navigate(*state, "wgs84", SCHULER_VERTICAL_TRUTH, &result, NULL), SCHULER_OK);
     CHECK_REL(result.horizontal_m.final, end_m, 2e-4);
     CHECK_REL(result.horizontal_m.max, end_m, 2e-4);
     const double mean = 0.2 + 0.5 / n + 1.0 / (3.0 * n * n) - 1.0 / (30.0 * n * n * n * n);
@@ -154,7 +155,7 @@ static void the_largest_error_is_not_the_last(void **state)
     const recording r = { .steps = 1000, .every = 50, .accel = { 0.0, 1e-3, 0.0 }, .reverse = 1 };
     schuler_navigate_result result;
     record(*state, &r);
-    assert_int_equal(navigate(*state, "wgs84", 1, &result, NULL), SCHULER_OK);
+    assert_int_equal(navigate(*state, "wgs84", SCHULER_VERTICAL_TRUTH, &result, NULL), SCHULER_OK);
     CHECK_REL(result.velocity_mps.max, 1e-3 * 10.0, 2e-3);
     CHECK_NEAR(result.velocity_mps.final, 0.0, 2e-3 * 1e-3 * 10.0);
 }
@@ -166,10 +167,28 @@ static void vertical_channel_is_free_unless_held(void **state)
     const recording r = { .steps = 1000, .every = 1000, .accel = { 0.0, 0.0, 1e-3 } };
     schuler_navigate_result result;
     record(*state, &r);
-    assert_int_equal(navigate(*state, "wgs84", 0, &result, NULL), SCHULER_OK);
+    assert_int_equal(navigate(*state, "wgs84", SCHULER_VERTICAL_FREE, &result, NULL), SCHULER_OK);
     CHECK_REL(result.height_m.final, -0.5 * 1e-3 * 400.0, 1e-3);
-    assert_int_equal(navigate(*state, "wgs84", 1, &result, NULL), SCHULER_OK);
+    assert_int_equal(navigate(*state, "wgs84", SCHULER_VERTICAL_TRUTH, &result, NULL), SCHULER_OK);
     CHECK_NEAR(result.height_m.final, 0.0, 1e-5);
+}
+
+/* 20 s after a step of b the barometer's loop is at b t^2/2 exp(-t/tau), for rows every second to
+ * (T/tau)^2; rows more than a quarter of tau apart are refused, with their place. */
+static void the_references_height_is_a_barometer(void **state)
+{
+    recording r = { .steps = 1000, .every = 50, .accel = { 0.0, 0.0, 1e-3 } };
+    schuler_navigate_result result;
+    schuler_error error = { 0 };
+    record(*state, &r);
+    assert_int_equal(navigate(*state, "wgs84", SCHULER_VERTICAL_BARO, &result, NULL), SCHULER_OK);
+    CHECK_REL(result.height_m.final, -0.5 * 1e-3 * 400.0 * exp(-0.2), 1e-3);
+    r.steps = r.every = 1300;
+    record(*state, &r);
+    assert_int_equal(navigate(*state, "wgs84", SCHULER_VERTICAL_BARO, &result, &error),
+                     SCHULER_ERR_INPUT);
+    assert_non_null(strstr(error.message, "at most 25 s apart"));
+    assert_int_equal(error.place.line, 3);
 }
 
 /* Heading drift of a down-gyro: e t, the rest of the attitude follows with earth rate times t. */
@@ -178,7 +197,7 @@ static void gyro_drift_turns_the_attitude(void **state)
     const recording r = { .steps = 1000, .every = 50, .gyro = { 0.0, 0.0, 1e-6 } };
     schuler_navigate_result result;
     record(*state, &r);
-    assert_int_equal(navigate(*state, "wgs84", 1, &result, NULL), SCHULER_OK);
+    assert_int_equal(navigate(*state, "wgs84", SCHULER_VERTICAL_TRUTH, &result, NULL), SCHULER_OK);
     CHECK_REL(result.attitude_rad.final, 1e-6 * 20.0, 2e-3);
 }
 
@@ -188,7 +207,7 @@ static void a_clock_that_counts_from_long_ago_is_read(void **state)
     const recording r = { .t0_s = 1.7e9, .steps = 3000, .every = 50 };
     schuler_navigate_result result;
     record(*state, &r);
-    assert_int_equal(navigate(*state, "wgs84", 0, &result, NULL), SCHULER_OK);
+    assert_int_equal(navigate(*state, "wgs84", SCHULER_VERTICAL_FREE, &result, NULL), SCHULER_OK);
     assert_int_equal(result.steps, 3000);
     CHECK_NEAR(result.dt_s, dt_s, 1e-17);
 }
@@ -251,7 +270,8 @@ static void wrong_files_are_refused_with_their_place(void **state)
         record(f, &r);
         snprintf(text, sizeof(text), "%s\n%s", SCHULER_IMU_HEADER, wrong[i].imu);
         put_text(f->imu, text);
-        assert_int_equal(navigate(f, "wgs84", 0, &result, &error), SCHULER_ERR_INPUT);
+        assert_int_equal(navigate(f, "wgs84", SCHULER_VERTICAL_FREE, &result, &error),
+                         SCHULER_ERR_INPUT);
         assert_string_equal(error.place.file, f->imu);
         assert_int_equal(error.place.line, wrong[i].line);
         assert_int_equal(error.place.column, wrong[i].column);
@@ -272,10 +292,10 @@ static void a_full_gravity_model_is_navigated_with(void **state)
     const recording r = { .steps = 1500, .every = 50, .gravity = "egm96" };
     schuler_navigate_result result;
     record(*state, &r);
-    assert_int_equal(navigate(*state, "egm96", 0, &result, NULL), SCHULER_OK);
+    assert_int_equal(navigate(*state, "egm96", SCHULER_VERTICAL_FREE, &result, NULL), SCHULER_OK);
     CHECK_NEAR(result.horizontal_m.max, 0.0, 1e-6);
     CHECK_NEAR(result.height_m.max, 0.0, 1e-6);
-    assert_int_equal(navigate(*state, "wgs84", 0, &result, NULL), SCHULER_OK);
+    assert_int_equal(navigate(*state, "wgs84", SCHULER_VERTICAL_FREE, &result, NULL), SCHULER_OK);
     assert_true(result.horizontal_m.max + result.height_m.max > 0.01);
 }
 
@@ -303,6 +323,7 @@ int main(void)
         cmocka_unit_test(accelerometer_bias_grows_with_the_square_of_time),
         cmocka_unit_test(the_largest_error_is_not_the_last),
         cmocka_unit_test(vertical_channel_is_free_unless_held),
+        cmocka_unit_test(the_references_height_is_a_barometer),
         cmocka_unit_test(gyro_drift_turns_the_attitude),
         cmocka_unit_test(a_clock_that_counts_from_long_ago_is_read),
         cmocka_unit_test(samples_before_the_start_follow_the_first_ones),

@@ -105,6 +105,21 @@ static const struct {
 };
 enum { STARTS = sizeof starts / sizeof starts[0] };
 
+/* Those of the barometer, in the order of schuler_baro_error, come last. */
+static const schuler_dim barometer_dims[SCHULER_BARO_ERRORS] = { SCHULER_DIM_LENGTH,
+                                                                 SCHULER_DIM_NONE, SCHULER_DIM_TIME,
+                                                                 SCHULER_DIM_HEIGHT_NOISE,
+                                                                 SCHULER_DIM_LENGTH };
+
+/* A schuler_baro_error, or -1. */
+static int barometer_error(const explain_subject *s)
+{
+    if (!s->other || strncmp(s->other->id, "baro.", strlen("baro.")) != 0) return -1;
+    int left = 0;
+    while (s->other[left].id) left++;
+    return SCHULER_BARO_ERRORS - left;
+}
+
 static void take(explanation *e, const schuler_value *given, const char *example, schuler_dim dim,
                  int components, schuler_arena *arena)
 {
@@ -122,6 +137,12 @@ static void take_value(explanation *e, schuler_arena *arena)
 {
     const explain_subject *const s = &e->subject;
     const double dt_s = e->imu ? 1.0 / e->imu->rate_hz : 0.01;
+    const int error = barometer_error(s);
+    if (error >= 0) {
+        take(e, e->scenario ? &e->scenario->baro[error] : NULL, s->other->example,
+             barometer_dims[error], 1, arena);
+        return;
+    }
     if (s->other) {
         const ptrdiff_t i = s->other - schuler_growth_others();
         if (i >= STARTS) return;
@@ -147,6 +168,10 @@ static const char *why_absent(const explanation *e, schuler_arena *arena)
         return schuler_arena_printf(arena, "none: the scenario's %s model is %s",
                                     schuler_instrument_name(s->instrument),
                                     of->imu.triad[s->instrument].model->name);
+    if (barometer_error(s) >= 0)
+        return of->vertical == SCHULER_VERTICAL_BARO
+                   ? "not set in the scenario: zero"
+                   : "none: there is no barometer; 'navigation: {vertical: baro}' brings it";
     if (s->other && s->other - schuler_growth_others() >= STARTS)
         return schuler_arena_printf(arena, "none: truth.gravity and navigation.gravity are both %s",
                                     of->nav_gravity);

@@ -36,7 +36,8 @@ static const struct argp_option options[] = {
     { "out", KEY_OUT, "FILE", 0, "the navigator's trajectory, at the reference's times", 0 },
     { "frame", KEY_FRAME, "NAME", 0, "navigation frame (default ecef)", 0 },
     { "gravity", KEY_GRAVITY, "NAME", 0, "wgs84 (default), grs80 or an installed data set", 0 },
-    { "vertical", KEY_VERTICAL, "MODE", 0, "free (default), or truth: held to the reference", 0 },
+    { "vertical", KEY_VERTICAL, "MODE", 0,
+      "free (default), truth: held to the reference, or baro: steadied by its height", 0 },
     { "coning", KEY_CONING, "NAME", 0, "attitude algorithm (default cubic)", 0 },
     { "json", KEY_JSON, "FILE", 0, "errors as JSON; - is standard output", 0 },
     { "quiet", 'q', NULL, 0, "print no errors, no warnings, no progress", 0 },
@@ -45,7 +46,7 @@ static const struct argp_option options[] = {
 
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
-    static const char *const verticals[] = { "free", "truth", NULL };
+    static const char *const verticals[] = { "truth", "free", "baro", NULL };
     const char *known[NAMES_MAX];
     navigate_arguments *a = state->input;
     switch (key) {
@@ -67,7 +68,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->options.gravity = arg;
         return 0;
     case KEY_VERTICAL:
-        a->options.hold_vertical = arguments_choice(state, "--vertical", arg, verticals);
+        a->options.vertical =
+            (schuler_vertical)arguments_choice(state, "--vertical", arg, verticals);
         a->vertical = arg;
         return 0;
     case KEY_CONING:
@@ -203,9 +205,11 @@ static exit_code deliver(const schuler_navigate_result *r, const navigate_argume
 
 exit_code verb_navigate(int argc, char **argv)
 {
-    navigate_arguments a = { .frame = "ecef",
-                             .vertical = "free",
-                             .options = { .gravity = "wgs84" } };
+    navigate_arguments a = {
+        .frame = "ecef",
+        .vertical = "free",
+        .options = { .gravity = "wgs84", .vertical = SCHULER_VERTICAL_FREE },
+    };
     a.options.frame = schuler_mechanization_find(a.frame);
     arguments_parse(&argp, argc, argv, &a);
     sink s = { .bar = progress_start(a.quiet) };
