@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 # The public headers; everything a public header includes is one too (tests/guard/headers sees to it).
 set(SCHULER_PUBLIC_HEADERS
   core/api.h core/document.h core/earth.h core/embedded.h core/error.h core/geographic.h core/gravity.h core/isa.h
-  core/lanes.h core/mooring.h core/normal.h core/path.h core/random.h core/schema.h core/trajectory.h core/truth.h core/truth_nodes.h
+  core/lanes.h core/mooring.h core/normal.h core/overlays.h core/path.h core/random.h core/schema.h core/trajectory.h core/truth.h core/truth_nodes.h
   core/units.h core/vec.h
   mechanization/aligner.h mechanization/alignment.h mechanization/algorithms.h mechanization/mechanization.h mechanization/vertical.h
   scenarios/bench.h scenarios/characterize.h scenarios/csv.h scenarios/digits.h scenarios/growth.h scenarios/growth_text.h scenarios/identify.h scenarios/gallery.h

@@ -51,12 +51,9 @@ static schuler_vec3 rate_of_rotvec(schuler_vec3 rho, schuler_vec3 rho_dot)
                             schuler_vec3_scale(k2, twice));
 }
 
-schuler_motion schuler_path_at(const schuler_path *path, double t_s)
+schuler_motion schuler_piece_at(const schuler_piece *piece, double s)
 {
-    const schuler_piece *const piece = &path->pieces[schuler_path_find(path, t_s)];
     const double ds_dt = 2.0 / piece->duration_s;
-    const double s =
-        fmin(fmax((t_s - piece->t0_s) * ds_dt - 1.0, -SCHULER_PIECE_REACH), SCHULER_PIECE_REACH);
     schuler_motion m;
     schuler_vec3 rho, rho_dot;
     for (int i = 0; i < 3; i++) {
@@ -72,4 +69,11 @@ schuler_motion schuler_path_at(const schuler_path *path, double t_s)
     m.q_b_e = schuler_quat_mul(piece->q0_b_e, schuler_quat_from_rotvec(rho));
     m.omega_eb_b = rate_of_rotvec(rho, rho_dot);
     return m;
+}
+
+schuler_motion schuler_path_at(const schuler_path *path, double t_s)
+{
+    const schuler_piece *const piece = &path->pieces[schuler_path_find(path, t_s)];
+    const double s = (t_s - piece->t0_s) * (2.0 / piece->duration_s) - 1.0;
+    return schuler_piece_at(piece, fmin(fmax(s, -SCHULER_PIECE_REACH), SCHULER_PIECE_REACH));
 }

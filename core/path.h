@@ -49,6 +49,9 @@ typedef struct {
     schuler_vec3 omega_eb_b;    /* rate of the body relative to the earth, body axes, rad/s  */
 } schuler_motion;
 
+/** The motion at s of one piece. */
+SCHULER_API schuler_motion schuler_piece_at(const schuler_piece *piece, double s);
+
 /** The motion at t. t outside [0, duration] continues the first or last piece (used to prime the
  *  navigator with the samples before the start). */
 SCHULER_API schuler_motion schuler_path_at(const schuler_path *path, double t_s);

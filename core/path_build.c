@@ -7,14 +7,13 @@ enum {
     MIDDLE = NODES / 2,
     PICARD_MAX = 60,
     PATIENCE = 4,
-    PIECES_MAX = 200000, /* 125 MB */
 };
 
 static const double longest_s = 256.0, shortest_s = 1e-5;
 
-/* What the highest kept coefficients may be: relative to the rounding that double leaves anyway. */
-static const long double velocity_tail = 1e-14L; /* m/s at walking pace, more with speed */
-static const long double attitude_tail = 5e-17L; /* rad */
+/* Relative to the rounding that double leaves anyway. */
+static const size_t usual_pieces_max = 200000; /* 125 MB */
+static const long double usual_velocity_tail = 1e-14L, usual_attitude_tail = 5e-17L;
 
 /* Everything about the nodes follows from T_k(cos x) = cos(k x) at x = pi j/(NODES - 1). */
 static void set_up(schuler_collocation *c)
@@ -65,16 +64,27 @@ static void set_up(schuler_collocation *c)
         }
 }
 
+void schuler_path_begin_at(schuler_path_builder *b, schuler_path *path, xvec r_e)
+{
+    *b = (schuler_path_builder){ .path = path,
+                                 .trial_s = 16.0,
+                                 .velocity_tail = usual_velocity_tail,
+                                 .attitude_tail = usual_attitude_tail,
+                                 .pieces_max = usual_pieces_max,
+                                 .r_e = r_e };
+    set_up(&b->collocation);
+}
+
 void schuler_path_begin(schuler_path_builder *b, schuler_path *path, schuler_course course,
                         long double h_m)
 {
-    *b = (schuler_path_builder){ .path = path, .trial_s = 16.0, .course = course };
-    set_up(&b->collocation);
     const long double a = SCHULER_WGS84_A_M, e2 = SCHULER_WGS84_E2;
     const xvec n = course.n_e;
     const long double R_P = a / sqrtl(1.0L - e2 * n.v[2] * n.v[2]);
-    b->r_e =
-        xvec_make((R_P + h_m) * n.v[0], (R_P + h_m) * n.v[1], (R_P * (1.0L - e2) + h_m) * n.v[2]);
+    schuler_path_begin_at(
+        b, path,
+        xvec_make((R_P + h_m) * n.v[0], (R_P + h_m) * n.v[1], (R_P * (1.0L - e2) + h_m) * n.v[2]));
+    b->course = course;
 }
 
 /* Values of the three components at the nodes, times a row of a matrix. */
@@ -221,8 +231,8 @@ static verdict try_piece(const schuler_path_builder *b, schuler_flow_function *f
     };
     if (!rotation_vectors(piece->q0_b_e, at, rho)) return TOO_LONG;
     const long double excess =
-        fmaxl(tail(&b->collocation, v_e) / (velocity_tail * (1.0L + 0.01L * fastest)),
-              tail(&b->collocation, rho) / attitude_tail);
+        fmaxl(tail(&b->collocation, v_e) / (b->velocity_tail * (1.0L + 0.01L * fastest)),
+              tail(&b->collocation, rho) / b->attitude_tail);
     if (!(excess <= 1.0L)) return TOO_LONG;
     *r_end_e = fill(b, T_s, v_e, rho, piece);
     if (!isfinite(r_end_e->v[0] + r_end_e->v[1] + r_end_e->v[2])) return TOO_LONG;
@@ -253,7 +263,7 @@ schuler_status schuler_path_extend(schuler_path_builder *b, schuler_flow_functio
             }
             continue;
         }
-        if (++b->count > PIECES_MAX) return SCHULER_ERR_NUMERIC;
+        if (++b->count > b->pieces_max) return SCHULER_ERR_NUMERIC;
         if (b->path != NULL) {
             const schuler_status status = append(b, &piece);
             if (status != SCHULER_OK) return status;

@@ -44,10 +44,13 @@ typedef struct {
 typedef struct {
     schuler_path *path; /* grows; NULL: only the course is followed, to try something out */
     size_t capacity;
-    size_t count;   /* pieces so far, kept or not */
+    size_t count; /* pieces so far, kept or not */
+    size_t pieces_max;
     double t_s;     /* where the building is: ticks, exact                            */
     double trial_s; /* length of piece to try next                                    */
-    xvec r_e;       /* position there; its rounding is carried from piece to piece    */
+    /* What the highest kept coefficients may be: m/s at walking pace, more with speed; rad. */
+    long double velocity_tail, attitude_tail;
+    xvec r_e; /* position there; its rounding is carried from piece to piece    */
     schuler_course course;
     schuler_collocation collocation;
 } schuler_path_builder;
@@ -55,6 +58,9 @@ typedef struct {
 /** Start at a course and a height. path must be zero-initialised, or NULL. */
 void schuler_path_begin(schuler_path_builder *b, schuler_path *path, schuler_course course,
                         long double h_m);
+
+/** Start anywhere, for flows that do not look at the course. */
+void schuler_path_begin_at(schuler_path_builder *b, schuler_path *path, xvec r_e);
 
 /** Follow a flow over t in (from, to], one analytic function of t there.
  *  Errors   SCHULER_ERR_NUMERIC  no piece is short enough (a singular flow), or too many pieces

@@ -152,6 +152,7 @@ static void read_variant(schuler_reading *r, const schuler_node *node, const cha
 static void read_variants(schuler_reading *r, const schuler_node *node, const char *what,
                           const schuler_field *f, schuler_variant_list *out)
 {
+    if (node->kind == SCHULER_NODE_LIST && node->count == 0 && !f->required) return;
     if (node->kind != SCHULER_NODE_LIST || node->count == 0) {
         schuler_expected(r, node, what, "a list of single-key maps");
         return;

@@ -100,9 +100,7 @@ static void increments(const schuler_truth_run *run, double index, int at, int n
                        const schuler_columns *dg_e, double (*dtheta)[SCHULER_BLOCK],
                        double (*dv)[SCHULER_BLOCK])
 {
-    /* Nodes and weights of three-point Gauss-Legendre on [0, 1]: 1/2 -+ sqrt(15)/10; 5/18, 8/18. */
-    static const double node[SCHULER_NODES] = { 0.11270166537925831, 0.5, 0.88729833462074169 };
-    static const double weight[SCHULER_NODES] = { 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0 };
+    const schuler_quadrature *const rule = run->rule;
     const double part = 1.0 / run->parts, part_s = run->dt_s * part;
     for (int i = 0; i < n; i += SCHULER_LANES) {
         const int some = n - i < SCHULER_LANES ? n - i : SCHULER_LANES;
@@ -114,11 +112,11 @@ static void increments(const schuler_truth_run *run, double index, int at, int n
                            load_some(&dg_e->v[2][at + i], some) };
         lanes3 theta = { lanes_set(0.0), lanes_set(0.0), lanes_set(0.0) }, v = theta;
         for (int p = 0; p < run->parts; p++)
-            for (int j = 0; j < SCHULER_NODES; j++) {
-                const lanes s = run->s0 + (step + (p + node[j]) * part) * run->ds;
+            for (int j = 0; j < rule->count; j++) {
+                const lanes s = run->s0 + (step + (p + rule->node[j]) * part) * run->ds;
                 lanes3 omega_ib_b, f_ib_b;
                 rates(run, s, dg, &omega_ib_b, &f_ib_b);
-                const lanes w = lanes_set(weight[j]);
+                const lanes w = lanes_set(rule->weight[j]);
                 theta = lanes3_add(theta, lanes3_scale(w, omega_ib_b));
                 v = lanes3_add(v, lanes3_scale(w, f_ib_b));
             }

@@ -13,11 +13,18 @@ typedef struct {
 
 enum { SCHULER_RUN_TERMS = SCHULER_PIECE_DEGREE + 1 };
 
+/* A Gauss-Legendre rule on [0, 1]. */
+typedef struct {
+    int count;
+    double node[6], weight[6];
+} schuler_quadrature;
+
 /* One piece as the lane code wants it: power series in s, time derivatives multiplied out. */
 typedef struct {
     double s0, ds; /* s at the start of step 0, s per step                                */
     double dt_s;   /* length of a step                                                    */
-    int parts;     /* each step is integrated in so many equal parts                      */
+    int parts;     /* each step is integrated in so many equal parts, each with           */
+    const schuler_quadrature *rule;
     double r0_e[3];
     const double (*dr_e)[SCHULER_RUN_TERMS];       /* m                                    */
     double free_e[3][SCHULER_PIECE_DEGREE];        /* a_e + 2 omega_ie x v_e, m/s^2        */

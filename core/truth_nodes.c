@@ -7,7 +7,8 @@
 static int parts_of(const schuler_truth *truth)
 {
     enum { PARTS_MAX = SCHULER_NODES_MAX / SCHULER_NODES };
-    return truth->parts < PARTS_MAX ? truth->parts : PARTS_MAX;
+    const int wanted = truth->parts > truth->densest ? truth->parts : truth->densest;
+    return wanted < PARTS_MAX ? wanted : PARTS_MAX;
 }
 
 static void place_nodes(int parts, schuler_truth_nodes *out)

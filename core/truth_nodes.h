@@ -7,7 +7,7 @@
 
 SCHULER_BEGIN_C
 
-enum { SCHULER_NODES_MAX = 12 };
+enum { SCHULER_NODES_MAX = 24 };
 
 /* Nodes of a Gauss-Legendre quadrature over each step: the integral over a step is dt times the sum
  * of weight times value. A step that holds a joint of two pieces has the same nodes: what is joined

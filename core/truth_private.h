@@ -16,15 +16,16 @@ struct schuler_truth {
     const schuler_path *path;
     double dt_s;
     int64_t steps;
-    int parts;
+    int parts;   /* a step is integrated in so many at least         */
+    int densest; /* most pieces that begin within one step's length  */
     int has_dg, same_table;
     piece_steps *pieces; /* one per piece of the path */
     schuler_gravity_table truth_table, nav_table;
     schuler_path_gravity truth_dg, nav_dg; /* beyond each one's own table */
 };
 
-/** The piece's polynomials with their time derivatives multiplied out; s0, ds and dt_s are left to
- *  the caller. */
+/** The piece's polynomials with their time derivatives multiplied out; s0, ds, dt_s and the
+ *  quadrature are left to the caller. */
 void schuler_truth_prepare(const schuler_truth *truth, const schuler_piece *piece,
                            schuler_truth_run *run);
 

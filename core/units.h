@@ -29,7 +29,8 @@ typedef struct {
 #define SCHULER_DIM_VRW           { 2, -3, 0, 0, 0, 0 }  /* m/s/sqrt(s)    */
 #define SCHULER_DIM_RRW           { 0, -3, 2, 0, 0, 0 }  /* rad/s/sqrt(s)  */
 #define SCHULER_DIM_ACCEL_RW      { 2, -5, 0, 0, 0, 0 }  /* m/s^2/sqrt(s)  */
-#define SCHULER_DIM_HEIGHT_NOISE { 2, 1, 0, 0, 0, 0 }   /* m sqrt(s)      */
+#define SCHULER_DIM_ACCEL_PSD     { 4, -6, 0, 0, 0, 0 }  /* (m/s^2)^2/Hz   */
+#define SCHULER_DIM_HEIGHT_NOISE  { 2, 1, 0, 0, 0, 0 }   /* m sqrt(s)      */
 #define SCHULER_DIM_TEMPERATURE   { 0, 0, 0, 2, 0, 0 }
 /* clang-format on */
 

@@ -92,8 +92,8 @@ static void override_sources(schuler_reading *r, const schuler_overrides *o, sch
     if (o->without) schuler_split_words(r, o->without, shown_without, &s->without);
 }
 
-/* The keys of the trajectory but `kind`, which says whose keys they are. */
-static schuler_node *without_kind(schuler_reading *r, const schuler_node *node)
+/* The keys of the trajectory that every kind has, or those that are its own. */
+static schuler_node *keys_of(schuler_reading *r, const schuler_node *node, bool common)
 {
     schuler_node *const copy = schuler_reading_alloc(r, sizeof *copy);
     schuler_pair *const pairs = schuler_reading_alloc(r, node->count * sizeof *pairs);
@@ -101,8 +101,11 @@ static schuler_node *without_kind(schuler_reading *r, const schuler_node *node)
     *copy = *node;
     copy->pairs = pairs;
     copy->count = 0;
-    for (size_t i = 0; i < node->count; i++)
-        if (strcmp(node->pairs[i].key->text, "kind") != 0) pairs[copy->count++] = node->pairs[i];
+    for (size_t i = 0; i < node->count; i++) {
+        const char *const key = node->pairs[i].key->text;
+        if (strcmp(key, "kind") != 0 && (strcmp(key, "overlays") == 0) == common)
+            pairs[copy->count++] = node->pairs[i];
+    }
     return copy;
 }
 
@@ -135,8 +138,12 @@ static void read_trajectory(schuler_reading *r, const schuler_node *node, schule
         return;
     }
     s->trajectory = find_kind(r, node);
-    schuler_node *const keys = without_kind(r, node);
-    if (!s->trajectory || !keys) return;
+    schuler_node *const keys = keys_of(r, node, false), *const common = keys_of(r, node, true);
+    if (!keys || !common) return;
+    if (schuler_schema_read(common, "trajectory", &schuler_overlays_object, &s->overlays, r->arena,
+                            r->d) != SCHULER_OK ||
+        !s->trajectory)
+        return;
     void *const spec = schuler_reading_alloc(r, s->trajectory->object->size);
     if (spec && schuler_schema_read(keys, "trajectory", s->trajectory->object, spec, r->arena,
                                     r->d) == SCHULER_OK)
@@ -172,6 +179,9 @@ static void read_scenario(schuler_reading *r, const schuler_overrides *o, schule
                              "the trajectory cannot be computed");
         return;
     }
+    if (schuler_overlays_apply(&s->overlays.overlays, &s->path, &s->overlays.place, r->d) !=
+        SCHULER_OK)
+        return;
     schuler_scenario_check_duration(r, &file, s);
 }
 

@@ -4,6 +4,7 @@
 #define SCHULER_SCENARIOS_SCENARIO_H
 
 #include "core/mooring.h"
+#include "core/overlays.h"
 #include "core/schema.h"
 #include "core/trajectory.h"
 #include "mechanization/algorithms.h"
@@ -68,7 +69,8 @@ typedef struct schuler_scenario {
     const char *truth_gravity;
     const schuler_trajectory_kind *trajectory;
     const void *trajectory_spec;
-    schuler_path path; /* compiled from it                                           */
+    schuler_overlays_spec overlays; /* on it                                                    */
+    schuler_path path;              /* compiled from it                                           */
     schuler_imu imu;
     schuler_value position, velocity; /* initial errors, n-axes: 3 components, m and m/s */
     schuler_value tilt;       /* 2: phi_N, phi_E, rad (C_b_n computed = (I - [phi x]) C_b_n)  */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "tools/names.h"
+#include "core/overlays.h"
 #include "core/trajectory.h"
 #include "mechanization/mechanization.h"
 #include "scenarios/gallery.h"
@@ -49,6 +50,12 @@ void names_of_sensor_models(const char **names)
 void names_of_trajectories(const char **names)
 {
     COLLECT(schuler_trajectory_kinds[n] ? schuler_trajectory_kinds[n]->name : NULL);
+}
+
+void names_of_overlays(const char **names)
+{
+    COLLECT(schuler_overlay_kinds[n] ? schuler_overlay_object(schuler_overlay_kinds[n])->name
+                                     : NULL);
 }
 
 void names_of_frames(const char **names)

@@ -14,6 +14,7 @@ void names_of_sensors(const char **names);
 void names_of_templates(const char **names);
 void names_of_sensor_models(const char **names);
 void names_of_trajectories(const char **names);
+void names_of_overlays(const char **names);
 void names_of_frames(const char **names);
 void names_of_coning(const char **names);
 

@@ -73,11 +73,13 @@ const schuler_sensor_model *registry_stage(const char *name)
 
 exit_code registry_unknown(const char *name, const schuler_plugins *plugins)
 {
-    const char *known[7 * NAMES_MAX + 1], **at = known;
-    const char *const *const end = known + 7 * NAMES_MAX;
+    const char *known[8 * NAMES_MAX + 1], **at = known;
+    const char *const *const end = known + 8 * NAMES_MAX;
     names_of_sensor_models(at);
     while (*at) at++;
     names_of_trajectories(at);
+    while (*at) at++;
+    names_of_overlays(at);
     while (*at) at++;
     names_of_frames(at);
     while (*at) at++;

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "core/overlays.h"
 #include "core/trajectory.h"
 #include "mechanization/mechanization.h"
 #include "tools/fields.h"
@@ -87,6 +88,12 @@ json_t *registry_json(const schuler_plugins *plugins)
         kinds = append(kinds, entry(schuler_trajectory_kinds[i]->name,
                                     schuler_trajectory_kinds[i]->summary,
                                     schuler_trajectory_kinds[i]->source));
+    json_t *overlays = json_array();
+    for (int i = 0; overlays && schuler_overlay_kinds[i]; i++) {
+        const schuler_object *const object = schuler_overlay_object(schuler_overlay_kinds[i]);
+        overlays = append(overlays, entry(object->name, object->doc,
+                                          schuler_overlay_source(schuler_overlay_kinds[i])));
+    }
     const schuler_mechanization *const *f = schuler_mechanizations(SCHULER_ISA_SCALAR);
     for (; frames && *f; f++)
         frames = append(frames, entry((*f)->name, (*f)->summary, (*f)->source));
@@ -97,8 +104,9 @@ json_t *registry_json(const schuler_plugins *plugins)
         if (row) json_object_set_new(row, "error_law", json_of_text(a->law));
         algorithms = append(algorithms, row);
     }
-    return json_pack("{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "format", "schuler-models-1",
-                     "version", SCHULER_VERSION, "sensor_models", models, "stages", stages,
-                     "spellings", entries(registry_spellings), "trajectories", kinds, "frames",
-                     frames, "coning", algorithms, "gravity", entries(registry_gravities));
+    return json_pack("{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "format",
+                     "schuler-models-1", "version", SCHULER_VERSION, "sensor_models", models,
+                     "stages", stages, "spellings", entries(registry_spellings), "trajectories",
+                     kinds, "overlays", overlays, "frames", frames, "coning", algorithms, "gravity",
+                     entries(registry_gravities));
 }

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "core/overlays.h"
 #include "core/trajectory.h"
 #include "mechanization/mechanization.h"
 #include "tools/fields.h"
@@ -73,6 +74,11 @@ void registry_list(FILE *out, const schuler_plugins *plugins)
     fputs("\nTrajectories (trajectory.kind)\n", out);
     for (int i = 0; schuler_trajectory_kinds[i]; i++)
         list_row(out, schuler_trajectory_kinds[i]->name, schuler_trajectory_kinds[i]->summary);
+    fputs("\nMotions that add to any trajectory (trajectory.overlays)\n", out);
+    for (int i = 0; schuler_overlay_kinds[i]; i++) {
+        const schuler_object *const object = schuler_overlay_object(schuler_overlay_kinds[i]);
+        list_row(out, object->name, object->doc);
+    }
     fputs("\nNavigation frames (navigation.frame)\n", out);
     const schuler_mechanization *const *frames = schuler_mechanizations(SCHULER_ISA_SCALAR);
     for (int i = 0; frames[i]; i++) list_row(out, frames[i]->name, frames[i]->summary);
@@ -196,6 +202,15 @@ bool registry_show(FILE *out, const char *name, const schuler_plugins *plugins)
         put_head(out, "a kind of trajectory", name, kind->summary, kind->source);
         fputc('\n', out);
         fields_print(out, kind->object, 2);
+        return true;
+    }
+    for (int i = 0; schuler_overlay_kinds[i]; i++) {
+        const schuler_object *const object = schuler_overlay_object(schuler_overlay_kinds[i]);
+        if (strcmp(object->name, name) != 0) continue;
+        put_head(out, "adds to any trajectory", name, object->doc,
+                 schuler_overlay_source(schuler_overlay_kinds[i]));
+        fputc('\n', out);
+        fields_print(out, object, 2);
         return true;
     }
     const schuler_mechanization *const *frames = schuler_mechanizations(SCHULER_ISA_SCALAR);
