@@ -94,23 +94,6 @@ static xvec widened(schuler_vec3 a)
     return xvec_make(a.v[0], a.v[1], a.v[2]);
 }
 
-/* Columns of C in extended precision, turned about the axis: the new axes in the old frame. */
-static void turn(xvec axes[3], int axis, long double angle_rad)
-{
-    const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-    const long double c = cosl(angle_rad), s = sinl(angle_rad);
-    const xvec first = axes[a], second = axes[b];
-    axes[a] = xvec_add_scaled(xvec_scale(c, first), s, second);
-    axes[b] = xvec_add_scaled(xvec_scale(c, second), -s, first);
-}
-
-/* Components along axes, to the frame in which these are given. */
-static xvec along(const xvec axes[3], xvec x)
-{
-    return xvec_add_scaled(xvec_add_scaled(xvec_scale(x.v[0], axes[0]), x.v[1], axes[1]), x.v[2],
-                           axes[2]);
-}
-
 /* The IMU in the axes b0: its place and velocity there, and the vehicle's axes v. */
 static void place_in_vehicle(const follower *f, long double t_s, xvec *x_b0, xvec *x_dot_b0,
                              xvec axes_v[3])
@@ -119,9 +102,9 @@ static void place_in_vehicle(const follower *f, long double t_s, xvec *x_b0, xve
     double x[OVERLAY_CHANNELS], x_dot[OVERLAY_CHANNELS];
     schuler_overlay_sum_at(f->sum, t_s, x, x_dot);
     for (int i = 0; i < 3; i++) axes_v[i] = xvec_make(i == 0, i == 1, i == 2);
-    turn(axes_v, 2, x[OVERLAY_YAW]);
-    turn(axes_v, 1, x[OVERLAY_PITCH]);
-    turn(axes_v, 0, x[OVERLAY_ROLL]);
+    xvec_turn(axes_v, 2, x[OVERLAY_YAW]);
+    xvec_turn(axes_v, 1, x[OVERLAY_PITCH]);
+    xvec_turn(axes_v, 0, x[OVERLAY_ROLL]);
     const long double sr = sinl(x[OVERLAY_ROLL]), cr = cosl(x[OVERLAY_ROLL]);
     const long double sp = sinl(x[OVERLAY_PITCH]), cp = cosl(x[OVERLAY_PITCH]);
     const double *const angle_dot = &x_dot[OVERLAY_ROLL];
@@ -134,9 +117,9 @@ static void place_in_vehicle(const follower *f, long double t_s, xvec *x_b0, xve
         xvec_make(x_dot[OVERLAY_SHAKE_X], x_dot[OVERLAY_SHAKE_Y], x_dot[OVERLAY_SHAKE_Z]);
     const xvec d = xvec_make(x[OVERLAY_SURGE], x[OVERLAY_SWAY], x[OVERLAY_HEAVE]);
     const xvec d_dot = xvec_make(x_dot[OVERLAY_SURGE], x_dot[OVERLAY_SWAY], x_dot[OVERLAY_HEAVE]);
-    *x_b0 = xvec_add_scaled(d, 1.0L, along(axes_v, at_v));
+    *x_b0 = xvec_add_scaled(d, 1.0L, xvec_along(axes_v, at_v));
     *x_dot_b0 = xvec_add_scaled(
-        d_dot, 1.0L, along(axes_v, xvec_add_scaled(shake_v, 1.0L, xvec_cross(omega_v, at_v))));
+        d_dot, 1.0L, xvec_along(axes_v, xvec_add_scaled(shake_v, 1.0L, xvec_cross(omega_v, at_v))));
 }
 
 static void flow(const void *user, schuler_instant at, const schuler_course *course,
@@ -157,12 +140,12 @@ static void flow(const void *user, schuler_instant at, const schuler_course *cou
     for (int i = 0; f->o->has_gimbals && i < 2; i++) {
         long double angle_rad, rate_radps;
         schuler_gimbal_at(&f->o->gimbals[i], at, &angle_rad, &rate_radps);
-        turn(axes_v, f->o->gimbals[i].axis, angle_rad);
+        xvec_turn(axes_v, f->o->gimbals[i].axis, angle_rad);
     }
     const xvec moving = xvec_add_scaled(x_dot_b0, 1.0L, xvec_cross(widened(m.omega_eb_b), x_b0));
     out->n_rate_e = out->u_rate_e = xvec_make(0.0L, 0.0L, 0.0L);
-    out->v_e = xvec_add_scaled(widened(m.v_e), 1.0L, along(axes_b0, moving));
-    for (int i = 0; i < 3; i++) out->axes_e[i] = along(axes_b0, axes_v[i]);
+    out->v_e = xvec_add_scaled(widened(m.v_e), 1.0L, xvec_along(axes_b0, moving));
+    for (int i = 0; i < 3; i++) out->axes_e[i] = xvec_along(axes_b0, axes_v[i]);
 }
 
 static schuler_status follow(const schuler_overlay *o, overlay_sum *sum, const schuler_path *base,
@@ -176,7 +159,8 @@ static schuler_status follow(const schuler_overlay *o, overlay_sum *sum, const s
         axes_b0[i] = xvec_make(C_b0_e.m[0][i], C_b0_e.m[1][i], C_b0_e.m[2][i]);
     place_in_vehicle(&f, 0.0L, &x_b0, &x_dot_b0, axes_v);
     schuler_path_builder b;
-    schuler_path_begin_at(&b, out, xvec_add_scaled(widened(m.r_e), 1.0L, along(axes_b0, x_b0)));
+    schuler_path_begin_at(&b, out,
+                          xvec_add_scaled(widened(m.r_e), 1.0L, xvec_along(axes_b0, x_b0)));
     b.velocity_tail = velocity_tail;
     b.attitude_tail = attitude_tail;
     b.pieces_max = pieces_max;

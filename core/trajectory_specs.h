@@ -45,6 +45,49 @@ typedef struct {
 extern const schuler_object schuler_segment_hold, schuler_segment_cruise,
     schuler_segment_accelerate, schuler_segment_climb, schuler_segment_turn;
 
+/* kind motion: one of the motions below; a place without file is not given */
+typedef struct {
+    schuler_place place;
+    double half_angle_rad, frequency_Hz;
+} schuler_coning_spec;
+
+typedef struct {
+    schuler_place place;
+    double angle_rad, force_mps2, frequency_Hz;
+} schuler_sculling_spec;
+
+typedef struct {
+    schuler_place place;
+    double spin_radps, precession_radps, cone_rad;
+} schuler_spin_cone_spec;
+
+typedef struct {
+    schuler_place place;
+    double rate_radps[3];
+} schuler_constant_rate_spec;
+
+typedef struct {
+    schuler_place place;
+    double rate_radps;
+} schuler_turntable_spec;
+
+typedef struct {
+    schuler_place place;
+    double speed_mps;
+} schuler_steady_spec; /* parallel, geodesic */
+
+typedef struct {
+    schuler_place place;
+    schuler_start start; /* no speed */
+    double for_s;
+    schuler_coning_spec coning;
+    schuler_sculling_spec sculling;
+    schuler_spin_cone_spec spin_cone;
+    schuler_constant_rate_spec constant_rate;
+    schuler_turntable_spec turntable;
+    schuler_steady_spec parallel, geodesic;
+} schuler_motion_spec;
+
 /* kind route */
 
 /* How the vehicle manoeuvres; in a waypoint NAN means "as in defaults". */

@@ -120,8 +120,8 @@ static void mistakes_in_the_scenario_have_their_place(void **state)
           "'trajectory' needs the key 'kind', for example: static" },
         { "scenario: x\ntrajectory: {kind: statc}\n" IMU, 2, 20, 5,
           "trajectory.kind: there is no kind 'statc'; did you mean 'static'?" },
-        { "scenario: x\ntrajectory: {kind: motion}\n" IMU, 2, 20, 6,
-          "trajectory.kind: there is no kind 'motion'; known: static, segments, route" },
+        { "scenario: x\ntrajectory: {kind: motoin}\n" IMU, 2, 20, 6,
+          "trajectory.kind: there is no kind 'motoin'; did you mean 'motion'?" },
         { "scenario: x\ntrajectory: static\n" IMU, 2, 13, 6,
           "trajectory: a map of keys is expected, found 'static'" },
     };
