@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "mechanization/mechanization.h"
+#include "core/earth.h"
 #include "mechanization/mechanization_table.h"
+#include <math.h>
 #include <string.h>
 
 const schuler_mechanization *const *schuler_mechanizations(schuler_isa isa)
@@ -19,6 +21,12 @@ int schuler_mechanization_find(const char *name)
     for (int i = 0; frames[i]; i++)
         if (strcmp(frames[i]->name, name) == 0) return i;
     return -1;
+}
+
+int schuler_mechanization_ends(const schuler_mechanization *m, schuler_vec3 r_e)
+{
+    return m->latitude_max_rad > 0.0 &&
+           !(fabs(schuler_llh_from_ecef(r_e).lat_rad) <= m->latitude_max_rad);
 }
 
 size_t schuler_mechanization_size(const schuler_mechanization *m,

@@ -45,8 +45,9 @@ typedef struct {
 
 typedef struct {
     const char *name, *summary, *source;
-    size_t state_size; /* bytes, aligned to 64, for one vector of lanes */
-    size_t group_size; /* more of them, for an algorithm of several samples */
+    double latitude_max_rad; /* north and south, where the frame ends; 0: it does not */
+    size_t state_size;       /* bytes, aligned to 64, for one vector of lanes */
+    size_t group_size;       /* more of them, for an algorithm of several samples */
     void (*init)(void *state, const schuler_nav_setup *setup);
     /** Advance by block->n samples. A block ends on a navigation cycle: n is a multiple of
      *  samples_per_update, except at the end of a run, where the rest is not updated. */
@@ -64,6 +65,9 @@ typedef struct {
 /** Bytes of a state for an algorithm (NULL: the recursion alone), a multiple of 64. */
 SCHULER_API size_t schuler_mechanization_size(const schuler_mechanization *m,
                                               const schuler_coning_algorithm *algorithm);
+
+/** 1 when a place is beyond the latitude at which the frame ends. */
+SCHULER_API int schuler_mechanization_ends(const schuler_mechanization *m, schuler_vec3 r_e);
 
 /** All frames as compiled for an instruction set, NULL-terminated; and the index of one, or -1. */
 SCHULER_API const schuler_mechanization *const *schuler_mechanizations(schuler_isa isa);

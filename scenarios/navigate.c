@@ -134,6 +134,13 @@ static schuler_status report(navigation *nav, const schuler_trajectory_row *refe
             nav->options->vertical != SCHULER_VERTICAL_FREE
                 ? ""
                 : " (a free vertical channel diverges; hold it with vertical: truth)");
+    if (schuler_mechanization_ends(nav->mechanization, s.r_e))
+        return schuler_fail(err, SCHULER_ERR_NUMERIC, NULL,
+                            "at %.9g s the navigator is at a latitude of %.3f deg; frame '%s' ends "
+                            "at %g deg: use wander or ecef",
+                            reference->t_s, row.llh.lat_rad / SCHULER_RAD_PER_DEG,
+                            nav->mechanization->name,
+                            nav->mechanization->latitude_max_rad / SCHULER_RAD_PER_DEG);
     if (nav->step > 0) add_errors(&nav->result, &s, row.llh.h_m, &C_b_n, reference);
     nav->result.rows++;
     return nav->options->row(nav->options->user, &row);

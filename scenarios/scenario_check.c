@@ -203,6 +203,28 @@ static double usual_interval(double duration_s)
     return 3600.0 * ceil(duration_s / (REPORTS * 3600.0));
 }
 
+/* The path must stay where the frame is good. */
+static void check_frame_reach(schuler_reading *r, const schuler_scenario_file *file,
+                              const schuler_scenario *s)
+{
+    enum { LOOKS = 16 }; /* in a piece: 16 s of flight at most, some kilometres */
+    const schuler_mechanization *const frame = schuler_mechanizations(SCHULER_ISA_SCALAR)[s->frame];
+    if (frame->latitude_max_rad == 0.0) return;
+    for (size_t i = 0; i < s->path.count; i++)
+        for (int j = 0; j <= LOOKS; j++) {
+            const schuler_piece *const piece = &s->path.pieces[i];
+            const schuler_vec3 r_e = schuler_piece_at(piece, 2.0 * j / LOOKS - 1.0).r_e;
+            if (!schuler_mechanization_ends(frame, r_e)) continue;
+            schuler_diagnose(r->d, SCHULER_ERR_INPUT, &file->navigation.frame->place,
+                             "navigation.frame: '%s' ends at %g deg of latitude and the trajectory "
+                             "is at %.3f deg at %.9g s; use wander or ecef",
+                             frame->name, frame->latitude_max_rad / SCHULER_RAD_PER_DEG,
+                             schuler_llh_from_ecef(r_e).lat_rad / SCHULER_RAD_PER_DEG,
+                             piece->t0_s + piece->duration_s * j / LOOKS);
+            return;
+        }
+}
+
 void schuler_scenario_check_duration(schuler_reading *r, const schuler_scenario_file *file,
                                      schuler_scenario *s)
 {
@@ -210,6 +232,7 @@ void schuler_scenario_check_duration(schuler_reading *r, const schuler_scenario_
     const double schuler_period_s = 84.4 * 60.0, duration_s = s->path.duration_s;
     const double every_s = file->report.every_s;
     check_baro_time(r, file, s);
+    check_frame_reach(r, file, s);
     s->report_s = isnan(every_s) ? usual_interval(duration_s) : every_s;
     if (s->report_s > duration_s) s->report_s = duration_s;
     const schuler_motion start = schuler_path_at(&s->path, 0.0);

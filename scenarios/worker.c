@@ -57,6 +57,14 @@ static schuler_status compare_group(const lane_batch_state *b, int g, const bloc
             return schuler_fail(err, SCHULER_ERR_NUMERIC, NULL,
                                 "the navigator of '%s', run %d, was no longer finite at %.10g s",
                                 schuler_plan_row_id(b->plan, l->row), l->run, at->truth.t_s);
+        if (schuler_mechanization_ends(b->frame, nav.r_e))
+            return schuler_fail(
+                err, SCHULER_ERR_NUMERIC, NULL,
+                "the navigator of '%s', run %d, came to a latitude of %.3f deg at %.10g s; frame "
+                "'%s' ends at %g deg: use wander or ecef",
+                schuler_plan_row_id(b->plan, l->row), l->run,
+                schuler_llh_from_ecef(nav.r_e).lat_rad / SCHULER_RAD_PER_DEG, at->truth.t_s,
+                b->frame->name, b->frame->latitude_max_rad / SCHULER_RAD_PER_DEG);
         /* Held to the truth the height needs no look; free, it runs away. */
         const double h_m = b->plan->scenario->vertical != SCHULER_VERTICAL_TRUTH
                                ? schuler_llh_from_ecef(nav.r_e).h_m

@@ -5,23 +5,25 @@ command -v valgrind >/dev/null 2>&1 || { echo "no valgrind here"; exit 77; }
 work=$(mktemp -d) || exit 3
 trap 'rm -rf "$work"' EXIT
 failures=0
-# ISA NORMALS LIMIT: the count when it was written, and 3 % for a compiler's mood.
-while read -r isa normals limit; do
-    steps=$("$LANE_STEPS" "$isa" "$normals")
+# ISA NORMALS FRAME LIMIT: the count when it was written, and 3 % for a compiler's mood.
+while read -r isa normals frame limit; do
+    steps=$("$LANE_STEPS" "$isa" "$normals" "$frame")
     status=$?
     [ $status = 77 ] && continue
-    [ $status = 0 ] || { echo "lane_steps $isa $normals: exit $status"; exit 3; }
+    [ $status = 0 ] || { echo "lane_steps $isa $normals $frame: exit $status"; exit 3; }
     valgrind --tool=callgrind --callgrind-out-file="$work/out" --toggle-collect=counted \
-        "$LANE_STEPS" "$isa" "$normals" >/dev/null 2>"$work/err" || { cat "$work/err"; exit 3; }
+        "$LANE_STEPS" "$isa" "$normals" "$frame" >/dev/null 2>"$work/err" || { cat "$work/err"; exit 3; }
     count=$(sed -n 's/^.*Collected : \([0-9]*\).*$/\1/p' "$work/err")
     each=$((count / steps))
-    echo "$isa, $normals normals a step: $each instructions a lane-step (limit $limit)"
+    echo "$isa, $frame, $normals normals a step: $each instructions a lane-step (limit $limit)"
     [ "$each" -gt 0 ] && [ "$each" -le "$limit" ] || { echo "FAILED"; failures=1; }
 done <<'LIMITS'
-scalar 0 1024
-sse2 0 517
-avx2 0 209
-avx2 6 328
-avx2 18 612
+scalar 0 ecef 1024
+sse2 0 ecef 517
+avx2 0 ecef 209
+avx2 6 ecef 328
+avx2 18 ecef 612
+avx2 0 wander 293
+avx2 0 ned 296
 LIMITS
 exit $failures

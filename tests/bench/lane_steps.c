@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A known number of lane-steps of sensors and mechanization, for counting instructions:
- *     lane_steps ISA NORMALS      NORMALS 0, 6 or 18 a step; prints the number of lane-steps
+ *     lane_steps ISA NORMALS FRAME      NORMALS 0, 6 or 18 a step; prints the number of lane-steps
  * The work is done in the function `counted`, so that a profiler can count it alone. */
 #include "core/isa.h"
 #include "core/truth.h"
@@ -130,8 +130,9 @@ static void set_up(work *w, int normals, const schuler_gravity_table *gravity)
 
 int main(int argc, char **argv)
 {
-    const schuler_isa isa = argc == 3 ? schuler_isa_find(argv[1]) : SCHULER_ISA_COUNT;
-    if (isa == SCHULER_ISA_COUNT) return 2;
+    const schuler_isa isa = argc == 4 ? schuler_isa_find(argv[1]) : SCHULER_ISA_COUNT;
+    const int frame = argc == 4 ? schuler_mechanization_find(argv[3]) : -1;
+    if (isa == SCHULER_ISA_COUNT || frame < 0) return 2;
     if (!schuler_isa_available(isa)) return 77;
     static work w;
     schuler_field_model *field = NULL;
@@ -140,7 +141,7 @@ int main(int argc, char **argv)
         schuler_gravity_fit(&gravity, field, NULL) != SCHULER_OK)
         return 3;
     w.isa = isa;
-    w.frame = schuler_mechanizations(isa)[schuler_mechanization_find("ecef")];
+    w.frame = schuler_mechanizations(isa)[frame];
     set_up(&w, atoi(argv[2]), &gravity);
     counted(&w);
     printf("%d\n", BLOCKS * GROUPS * SCHULER_BLOCK * schuler_isa_lanes(isa));

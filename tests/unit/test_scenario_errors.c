@@ -62,7 +62,7 @@ static void mistakes_in_the_scenario_have_their_place(void **state)
           "truth.gravity: unknown gravity model '../egm96'; known: wgs84, grs80, egm84, egm96, "
           "egm2008" },
         { HEAD IMU "navigation: {frame: wandre}\n", 4, 21, 6,
-          "navigation.frame: there is no frame 'wandre'; known: ecef" },
+          "navigation.frame: there is no frame 'wandre'; did you mean 'wander'?" },
         { HEAD IMU "navigation: {vertical: bara}\n", 4, 24, 4,
           "navigation.vertical: unknown 'bara'; did you mean 'baro'?" },
         { HEAD "imu: {use: hg9900, rate: 1 Hz}\n"
