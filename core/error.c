@@ -106,6 +106,15 @@ void schuler_warn(schuler_diagnostics *d, const schuler_place *place, const char
     d->warnings++;
 }
 
+void schuler_diagnose_error(schuler_diagnostics *d, const schuler_error *error)
+{
+    schuler_error *const item = append(d);
+    d->errors++;
+    if (!item) return;
+    *item = *error;
+    item->place.file = keep_name(d, item->place.file);
+}
+
 void schuler_diagnostics_free(schuler_diagnostics *d)
 {
     while (d->names) {

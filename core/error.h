@@ -65,6 +65,8 @@ SCHULER_API void schuler_diagnose(schuler_diagnostics *d, schuler_status status,
     __attribute__((format(printf, 4, 5)));
 SCHULER_API void schuler_warn(schuler_diagnostics *d, const schuler_place *place,
                               const char *format, ...) __attribute__((format(printf, 3, 4)));
+/** Append an error as it is. */
+SCHULER_API void schuler_diagnose_error(schuler_diagnostics *d, const schuler_error *error);
 SCHULER_API void schuler_diagnostics_free(schuler_diagnostics *d);
 
 /** The known name nearest to what was written, for "did you mean".

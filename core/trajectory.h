@@ -12,6 +12,19 @@ SCHULER_BEGIN_C
 /* 1000 h: longer than any mission, and times stay exact (core/profile.h). */
 #define SCHULER_TRAJECTORY_LONGEST_S 3.6e6
 
+/* Rows of a trajectory file, one line each after the header. */
+typedef struct {
+    double t_s;
+    schuler_vec3 r_e, v_e; /* m; over ground, m/s */
+    schuler_quat q_b_e;
+} schuler_recorded_sample;
+
+typedef struct {
+    const char *file; /* as opened, for messages */
+    size_t count;
+    schuler_recorded_sample *items;
+} schuler_recorded_samples;
+
 typedef struct {
     const char *name; /* trajectory.kind in the scenario                            */
     const char *summary, *source;
@@ -20,6 +33,8 @@ typedef struct {
      *  Errors  SCHULER_ERR_INPUT into d with the place of the offending item (a turn without speed,
      * a leg too short for its turns, a pole); SCHULER_ERR_NUMERIC; SCHULER_ERR_MEMORY */
     schuler_status (*build)(const void *spec, schuler_path *out, schuler_diagnostics *d);
+    /** The samples of a spec that names a file, for whoever reads it before build; else NULL. */
+    schuler_recorded_samples *(*samples)(void *spec, const char **file);
 } schuler_trajectory_kind;
 
 /** All kinds, NULL-terminated. */

@@ -88,6 +88,14 @@ typedef struct {
     schuler_steady_spec parallel, geodesic;
 } schuler_motion_spec;
 
+/* kind recorded */
+typedef struct {
+    schuler_place place;
+    const char *file;     /* path as written */
+    const char *velocity; /* "use" or "ignore" */
+    schuler_recorded_samples samples;
+} schuler_recorded_spec;
+
 /* kind route */
 
 /* How the vehicle manoeuvres; in a waypoint NAN means "as in defaults". */

@@ -23,17 +23,6 @@ typedef struct {
     schuler_navigate_result result;
 } navigation;
 
-static schuler_nav_state start_state(const schuler_trajectory_row *row)
-{
-    const schuler_mat3 C_n_e = schuler_C_n_e(row->llh.lat_rad, row->llh.lon_rad);
-    const schuler_mat3 C_b_n =
-        schuler_mat3_from_euler(row->roll_rad, row->pitch_rad, row->heading_rad);
-    const schuler_mat3 C_b_e = schuler_mat3_mul(&C_n_e, &C_b_n);
-    return (schuler_nav_state){ .r_e = schuler_ecef_from_llh(row->llh),
-                                .v_e = schuler_mat3_apply(&C_n_e, row->v_n),
-                                .q_b_e = schuler_quat_from_mat3(&C_b_e) };
-}
-
 static int is_finite(const schuler_nav_state *s)
 {
     double sum = s->q_b_e.w + s->q_b_e.x + s->q_b_e.y + s->q_b_e.z;
@@ -66,7 +55,7 @@ static void add_figure(schuler_error_figures *f, double error)
 static void add_errors(schuler_navigate_result *result, const schuler_nav_state *s, double h_m,
                        const schuler_mat3 *C_b_n, const schuler_trajectory_row *reference)
 {
-    const schuler_nav_state truth = start_state(reference);
+    const schuler_nav_state truth = schuler_trajectory_state(reference);
     const schuler_mat3 C_n_e = schuler_C_n_e(reference->llh.lat_rad, reference->llh.lon_rad);
     const schuler_vec3 dr_e = schuler_vec3_sub(s->r_e, truth.r_e);
     const schuler_vec3 dr_n = schuler_mat3_apply_transposed(&C_n_e, dr_e);
@@ -253,7 +242,7 @@ static schuler_status prepare(navigation *nav, const schuler_trajectory_row *sta
         64, schuler_mechanization_size(nav->mechanization,
                                        &schuler_coning_algorithms[nav->options->coning]));
     if (!nav->state) return schuler_fail(err, SCHULER_ERR_MEMORY, NULL, "out of memory");
-    const schuler_nav_state state = start_state(start);
+    const schuler_nav_state state = schuler_trajectory_state(start);
     const double knows_truth = 0.0;
     schuler_nav_setup setup = { .dt_s = nav->in.dt_s,
                                 .samples_per_update = 1,

@@ -3,6 +3,7 @@
 #include "core/document_private.h"
 #include "scenarios/part.h"
 #include "scenarios/reader.h"
+#include "scenarios/recorded_rows.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -150,6 +151,26 @@ static void read_trajectory(schuler_reading *r, const schuler_node *node, schule
         s->trajectory_spec = spec;
 }
 
+/* The trajectory's path; the rows of one that names a file are needed only until it is built. */
+static schuler_status build_path(schuler_reading *r, const char *folder, schuler_scenario *s)
+{
+    const schuler_trajectory_kind *const kind = s->trajectory;
+    const char *name = NULL;
+    schuler_recorded_samples none = { 0 };
+    schuler_recorded_samples *const rows =
+        kind->samples ? kind->samples(s->trajectory_spec, &name) : &none;
+    schuler_status status = SCHULER_OK;
+    if (name) {
+        const char *const path =
+            name[0] == '/' || !folder ? name : schuler_arena_printf(r->arena, "%s%s", folder, name);
+        status = path ? schuler_recorded_rows(rows, path, r->d) : SCHULER_ERR_MEMORY;
+    }
+    if (status == SCHULER_OK) status = kind->build(s->trajectory_spec, &s->path, r->d);
+    free(rows->items);
+    *rows = none;
+    return status;
+}
+
 /* Everything from the document on; mistakes go to r->d. */
 static void read_scenario(schuler_reading *r, const schuler_overrides *o, schuler_scenario *s)
 {
@@ -163,17 +184,16 @@ static void read_scenario(schuler_reading *r, const schuler_overrides *o, schule
     if (schuler_document_root(doc)->kind != SCHULER_NODE_MAP) return;
     schuler_scenario_check(r, &file, s);
     override_sources(r, o, s);
+    const char *const slash = strrchr(s->file, '/');
+    const char *const folder =
+        slash ? schuler_arena_printf(r->arena, "%.*s", (int)(slash - s->file + 1), s->file) : NULL;
     if (file.imu) {
-        const char *const slash = strrchr(s->file, '/');
-        const char *const folder =
-            slash ? schuler_arena_printf(r->arena, "%.*s", (int)(slash - s->file + 1), s->file)
-                  : NULL;
         schuler_imu_read(r, file.imu, folder, &s->imu, s->documents, &s->document_count);
         schuler_scenario_check_sources(r, s);
     }
     if (file.trajectory) read_trajectory(r, file.trajectory, s);
     if (r->d->errors > errors || r->memory_failed || !s->trajectory_spec) return;
-    if (s->trajectory->build(s->trajectory_spec, &s->path, r->d) != SCHULER_OK) {
+    if (build_path(r, folder, s) != SCHULER_OK) {
         if (r->d->errors == errors)
             schuler_diagnose(r->d, SCHULER_ERR_NUMERIC, schuler_node_place(file.trajectory),
                              "the trajectory cannot be computed");

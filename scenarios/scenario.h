@@ -68,7 +68,7 @@ typedef struct schuler_scenario {
     double report_s; /* interval of the error reports; a whole number of blocks is not needed */
     const char *truth_gravity;
     const schuler_trajectory_kind *trajectory;
-    const void *trajectory_spec;
+    void *trajectory_spec;
     schuler_overlays_spec overlays; /* on it                                                    */
     schuler_path path;              /* compiled from it                                           */
     schuler_imu imu;

@@ -5,6 +5,17 @@
 
 enum { TRAJECTORY_COLUMNS = 10, IMU_COLUMNS = 7 };
 
+schuler_nav_state schuler_trajectory_state(const schuler_trajectory_row *row)
+{
+    const schuler_mat3 C_n_e = schuler_C_n_e(row->llh.lat_rad, row->llh.lon_rad);
+    const schuler_mat3 C_b_n =
+        schuler_mat3_from_euler(row->roll_rad, row->pitch_rad, row->heading_rad);
+    const schuler_mat3 C_b_e = schuler_mat3_mul(&C_n_e, &C_b_n);
+    return (schuler_nav_state){ .r_e = schuler_ecef_from_llh(row->llh),
+                                .v_e = schuler_mat3_apply(&C_n_e, row->v_n),
+                                .q_b_e = schuler_quat_from_mat3(&C_b_e) };
+}
+
 static size_t put_line(char *text, const double *values, int count)
 {
     char *p = text;

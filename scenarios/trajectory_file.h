@@ -5,6 +5,7 @@
 
 #include "core/earth.h"
 #include "core/vec.h"
+#include "mechanization/mechanization.h"
 #include "scenarios/csv.h"
 
 SCHULER_BEGIN_C
@@ -22,6 +23,9 @@ typedef struct {
     schuler_vec3 v_n; /* over ground, north-east-down at that place, m/s */
     double roll_rad, pitch_rad, heading_rad;
 } schuler_trajectory_row;
+
+/** The row as vectors and a quaternion. */
+SCHULER_API schuler_nav_state schuler_trajectory_state(const schuler_trajectory_row *row);
 
 enum { SCHULER_TRAJECTORY_LINE_MAX = 10 * 32, SCHULER_IMU_LINE_MAX = 7 * 32 };
 
