@@ -26,24 +26,50 @@ namespace
 constexpr double deg_per_rad = 180.0 / SCHULER_PI;
 constexpr double rad_per_deg = SCHULER_PI / 180.0;
 
+/* FOLDER/NAME:DEGREE, of which NAME alone is needed. */
+struct data_set {
+    std::string folder, name;
+    int degree = -1;
+};
+
 /* A data set's name becomes part of a file name, so nothing that could leave the folder is let in.
  */
-bool is_plain_name(const char *name)
+bool is_plain_name(const std::string &name)
 {
-    if (*name == '\0' || std::strlen(name) > 64) return false;
-    for (const char *c = name; *c != '\0'; c++)
-        if (!std::isalnum(static_cast<unsigned char>(*c)) && *c != '-' && *c != '_') return false;
+    if (name.empty() || name.size() > 64) return false;
+    for (const char c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_') return false;
     return true;
 }
 
-schuler_status fail_data(schuler_error *err, const char *name, const char *reason)
+data_set data_set_of(const std::string &text)
 {
+    data_set d;
+    const size_t slash = text.rfind('/');
+    if (slash != std::string::npos) d.folder = slash == 0 ? "/" : text.substr(0, slash);
+    d.name = slash == std::string::npos ? text : text.substr(slash + 1);
+    const size_t colon = d.name.find(':');
+    if (colon != std::string::npos) {
+        const std::string digits = d.name.substr(colon + 1);
+        d.name.resize(colon);
+        const bool is_number = !digits.empty() && digits.size() < 6 &&
+                               digits.find_first_not_of("0123456789") == std::string::npos;
+        d.degree = is_number ? std::atoi(digits.c_str()) : -2;
+    }
+    return d;
+}
+
+schuler_status fail_data(schuler_error *err, const char *text, const char *reason)
+{
+    const data_set d = data_set_of(text);
+    const char *const name = is_plain_name(d.name) ? d.name.c_str() : "egm96";
     return schuler_fail(
         err, SCHULER_ERR_GRAVITY_DATA, nullptr,
         "gravity model '%.64s': %.120s; built in are wgs84 and grs80, others are data sets: "
-        "install with geographiclib-get-gravity (for example egm96), or set "
+        "install with 'geographiclib-get-gravity %.64s' (Debian package geographiclib-tools), or "
+        "set "
         "GEOGRAPHICLIB_GRAVITY_PATH to their folder",
-        name, reason);
+        text, reason, name);
 }
 } // namespace
 
@@ -98,10 +124,13 @@ try {
         field->normal = &NormalGravity::WGS84();
     } else if (std::strcmp(name, "grs80") == 0) {
         field->normal = &NormalGravity::GRS80();
-    } else if (!is_plain_name(name)) {
-        return fail_data(err, name, "a name has only letters, digits, '-' and '_'");
     } else {
-        field->model = std::make_unique<GravityModel>(name);
+        const data_set d = data_set_of(name);
+        if (!is_plain_name(d.name))
+            return fail_data(err, name, "a name has only letters, digits, '-' and '_'");
+        if (d.degree == -2 || d.degree == 0 || d.degree == 1)
+            return fail_data(err, name, "a degree is a whole number from 2 on, as in egm96:120");
+        field->model = std::make_unique<GravityModel>(d.name, d.folder, d.degree);
         field->normal = &field->model->ReferenceEllipsoid();
     }
     *out = field.release();

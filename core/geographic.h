@@ -22,8 +22,9 @@ SCHULER_API void schuler_geodesic_direct(double lat1_rad, double lon1_rad, doubl
 /* A gravity field: a level ellipsoid's normal field, and for the egm names a full model on top. */
 typedef struct schuler_field schuler_field_model;
 
-/** Names: "wgs84", "grs80" (built in), else a GravityModel data set ("egm96", "egm2008", ...),
- *  looked for in GEOGRAPHICLIB_GRAVITY_PATH and GeographicLib's default folder.
+/** Names: "wgs84", "grs80" (built in), else a GravityModel data set ("egm96", "egm2008", ...), looked
+ *  for in GEOGRAPHICLIB_GRAVITY_PATH and GeographicLib's default folder, or in a folder written before
+ *  it ("data/gravity/egm96"). "egm96:120" is the field to degree and order 120.
  *  Errors   SCHULER_ERR_GRAVITY_DATA: message says how to get the data set; SCHULER_ERR_MEMORY */
 SCHULER_API SCHULER_NODISCARD schuler_status schuler_field_open(schuler_field_model **out,
                                                                 const char *name,

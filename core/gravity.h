@@ -16,9 +16,10 @@
 SCHULER_BEGIN_C
 
 enum { SCHULER_GRAVITY_DEGREE = 5, SCHULER_GRAVITY_TERMS = 21 };
-/* Heights the table is made for, above the WGS84 ellipsoid. */
-#define SCHULER_GRAVITY_LOW_M  (-1000.0)
-#define SCHULER_GRAVITY_HIGH_M 50000.0
+/* Heights the table is made for, above the WGS84 ellipsoid; and to which it can be made. */
+#define SCHULER_GRAVITY_LOW_M     (-1000.0)
+#define SCHULER_GRAVITY_HIGH_M    50000.0
+#define SCHULER_GRAVITY_HIGHEST_M 125000.0
 
 /* Nested Horner order, powers of the scaled variables: for i = 0..D, for j = 0..D-i the coefficient
  * of T^i U^j, T = t_scale*z^2 + t_shift, U = u_xy*(x^2+y^2) + u_z*z^2 + u_shift. */
@@ -36,6 +37,12 @@ typedef struct {
 SCHULER_API SCHULER_NODISCARD schuler_status schuler_gravity_fit(schuler_gravity_table *out,
                                                                  const schuler_field_model *field,
                                                                  schuler_error *err);
+
+/** The same for heights up to high_m instead of 50 km. The error grows with the sixth power of the box's
+ *  height, and so does what is accepted: 2e-9 m/s^2 at 125 km. */
+SCHULER_API SCHULER_NODISCARD schuler_status
+schuler_gravity_fit_to(schuler_gravity_table *out, const schuler_field_model *field, double high_m,
+                       schuler_error *err);
 
 /** Gravity (with centrifugal term) of the table at an ECEF point, m/s^2; box: -1..50 km.
  *  The scalar twin of the lane code, bit for bit the same operations. */

@@ -13,6 +13,10 @@ enum { TERMS = SCHULER_PATH_GRAVITY_TERMS };
 static const double interval_m = 14000.0, interval_climb_m = 2800.0;
 /* Shorter stretches, so straight that r(t) is linear to this, need only their ends. */
 static const double linear_m = 300.0, linear_off_m = 0.1;
+/* Pieces as short as these, as vibration and sway make them, are taken together while the path stays so
+ * near to a straight line in time: the disturbance changes by 1e-9 m/s^2 a metre at most, in a narrow
+ * valley, and to and fro. */
+static const double swaying_off_m = 3.0;
 
 typedef struct {
     const schuler_path *path;
@@ -111,6 +115,38 @@ static schuler_status sample_piece(sampler *s, const schuler_piece *piece)
     return SCHULER_OK;
 }
 
+/* How many pieces from i on make one stretch in which a line will do. */
+static size_t stretch(const schuler_path *path, size_t i)
+{
+    const schuler_piece *const first = &path->pieces[i];
+    const schuler_motion start = schuler_piece_at(first, -1.0);
+    size_t end = i;
+    while (end + 1 < path->count && end - i < 200) { /* as far as the length lets it */
+        const schuler_piece *const next = &path->pieces[end + 1];
+        const schuler_vec3 r_e = schuler_piece_at(next, 1.0).r_e;
+        if (schuler_vec3_norm(schuler_vec3_sub(r_e, start.r_e)) > linear_m) break;
+        end++;
+    }
+    for (; end > i; end = i + (end - i) / 2) {
+        const schuler_piece *const last = &path->pieces[end];
+        const double span_s = last->t0_s + last->duration_s - first->t0_s;
+        const schuler_vec3 whole = schuler_vec3_sub(schuler_piece_at(last, 1.0).r_e, start.r_e);
+        double off_m = 0.0;
+        for (size_t k = i; k <= end; k++)
+            for (int j = 0; j < 3; j++) {
+                const schuler_piece *const piece = &path->pieces[k];
+                const double part =
+                    (piece->t0_s - first->t0_s + 0.5 * j * piece->duration_s) / span_s;
+                const schuler_vec3 r_e = schuler_piece_at(piece, j - 1.0).r_e;
+                const schuler_vec3 on =
+                    schuler_vec3_add(start.r_e, schuler_vec3_scale(part, whole));
+                off_m = fmax(off_m, schuler_vec3_norm(schuler_vec3_sub(r_e, on)));
+            }
+        if (off_m <= swaying_off_m) break;
+    }
+    return end - i + 1;
+}
+
 schuler_status schuler_path_gravity_sample(schuler_path_gravity *out, const schuler_path *path,
                                            const schuler_field_model *field,
                                            const schuler_gravity_table *table)
@@ -118,8 +154,13 @@ schuler_status schuler_path_gravity_sample(schuler_path_gravity *out, const schu
     *out = (schuler_path_gravity){ 0 };
     if (!schuler_field_has_disturbance(field)) return SCHULER_OK;
     sampler s = { .path = path, .field = field, .table = table, .out = out };
-    for (size_t i = 0; i < path->count; i++) {
-        const schuler_status status = sample_piece(&s, &path->pieces[i]);
+    for (size_t i = 0, count; i < path->count; i += count) {
+        const schuler_piece *const first = &path->pieces[i];
+        count = stretch(path, i);
+        const schuler_piece *const last = &path->pieces[i + count - 1];
+        const schuler_status status =
+            count == 1 ? sample_piece(&s, first)
+                       : add(&s, first->t0_s, last->t0_s + last->duration_s - first->t0_s, 1);
         if (status != SCHULER_OK) {
             schuler_path_gravity_free(out);
             return status;

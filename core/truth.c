@@ -52,14 +52,14 @@ const schuler_truth_lanes *schuler_truth_lanes_for(schuler_isa isa)
 }
 
 /* The field's table, and what it has beyond it along the path. */
-static schuler_status open_gravity(const char *name, const schuler_path *path,
+static schuler_status open_gravity(const char *name, const schuler_path *path, double high_m,
                                    schuler_gravity_table *table, schuler_path_gravity *dg,
                                    schuler_error *err)
 {
     schuler_field_model *field = NULL;
     schuler_status status = schuler_field_open(&field, name, err);
     if (status != SCHULER_OK) return status;
-    status = schuler_gravity_fit(table, field, err);
+    status = schuler_gravity_fit_to(table, field, high_m, err);
     if (status == SCHULER_OK) {
         status = schuler_path_gravity_sample(dg, path, field, table);
         if (status != SCHULER_OK)
@@ -69,18 +69,20 @@ static schuler_status open_gravity(const char *name, const schuler_path *path,
     return status;
 }
 
-/* The table is only good in its box. */
-static schuler_status check_heights(const schuler_path *path, schuler_error *err)
+/* The table is only good in its box, which is made as high as the path needs. */
+static schuler_status check_heights(const schuler_path *path, double *high_m, schuler_error *err)
 {
+    *high_m = SCHULER_GRAVITY_HIGH_M;
     for (size_t i = 0; i < path->count; i++)
         for (int j = 0; j < 3; j++) {
             const double t_s = path->pieces[i].t0_s + 0.5 * j * path->pieces[i].duration_s;
             const double h_m = schuler_llh_from_ecef(schuler_path_at(path, t_s).r_e).h_m;
-            if (!(h_m >= SCHULER_GRAVITY_LOW_M - 1.0 && h_m <= SCHULER_GRAVITY_HIGH_M + 1.0))
+            if (!(h_m >= SCHULER_GRAVITY_LOW_M - 1.0 && h_m <= SCHULER_GRAVITY_HIGHEST_M))
                 return schuler_fail(err, SCHULER_ERR_NUMERIC, NULL,
                                     "height %.0f m at %.1f s is outside %.0f .. %.0f m, where "
                                     "gravity is known",
-                                    h_m, t_s, SCHULER_GRAVITY_LOW_M, SCHULER_GRAVITY_HIGH_M);
+                                    h_m, t_s, SCHULER_GRAVITY_LOW_M, SCHULER_GRAVITY_HIGHEST_M);
+            if (h_m > SCHULER_GRAVITY_HIGH_M + 1.0) *high_m = SCHULER_GRAVITY_HIGHEST_M;
         }
     return SCHULER_OK;
 }
@@ -117,7 +119,8 @@ schuler_status schuler_truth_create(schuler_truth **out, const schuler_path *pat
     if (path->count == 0 || !(dt_s >= 1e-6) || !(dt_s <= 1e3))
         return schuler_fail(err, SCHULER_ERR_NUMERIC, NULL,
                             "no truth for an empty path or a sample interval of %g s", dt_s);
-    schuler_status status = check_heights(path, err);
+    double high_m;
+    schuler_status status = check_heights(path, &high_m, err);
     if (status != SCHULER_OK) return status;
     schuler_truth *const truth = calloc(1, sizeof(*truth));
     if (truth == NULL) return schuler_fail(err, SCHULER_ERR_MEMORY, NULL, "out of memory");
@@ -129,10 +132,11 @@ schuler_status schuler_truth_create(schuler_truth **out, const schuler_path *pat
     status = divide_steps(truth);
     if (status != SCHULER_OK) schuler_fail(err, status, NULL, "out of memory for the truth");
     if (status == SCHULER_OK)
-        status = open_gravity(truth_gravity, path, &truth->truth_table, &truth->truth_dg, err);
+        status =
+            open_gravity(truth_gravity, path, high_m, &truth->truth_table, &truth->truth_dg, err);
     truth->same_table = strcmp(truth_gravity, nav_gravity) == 0;
     if (status == SCHULER_OK && !truth->same_table)
-        status = open_gravity(nav_gravity, path, &truth->nav_table, &truth->nav_dg, err);
+        status = open_gravity(nav_gravity, path, high_m, &truth->nav_table, &truth->nav_dg, err);
     else
         truth->nav_table = truth->truth_table;
     if (status != SCHULER_OK) {

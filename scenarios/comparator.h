@@ -7,8 +7,9 @@
 #include "mechanization/mechanization.h"
 #include "scenarios/simulation.h"
 
-/* Heights beyond which a navigator is lost: the gravity table holds from -1 to 50 km and goes wrong slowly. */
-enum { COMPARATOR_HEIGHT_MIN_M = -10000, COMPARATOR_HEIGHT_MAX_M = 100000 };
+/* Heights beyond which a navigator is lost: the gravity table holds from -1 to 50 km, or to 125 km where
+ * the mission goes that high, and goes wrong slowly. */
+enum { COMPARATOR_HEIGHT_MIN_M = -10000, COMPARATOR_HEIGHT_MAX_M = 200000 };
 
 /** Position and velocity errors of one lane at one instant, resolved in NED at the truth; attitude
  * is left zero. */

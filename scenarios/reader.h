@@ -14,6 +14,7 @@ typedef struct {
     struct {
         schuler_place place;
         const schuler_node *gravity;
+        const char *gravity_path;
     } truth;
     const schuler_node *trajectory, *imu;
     struct {

@@ -152,7 +152,7 @@ static void read_trajectory(schuler_reading *r, const schuler_node *node, schule
 }
 
 /* The trajectory's path; the rows of one that names a file are needed only until it is built. */
-static schuler_status build_path(schuler_reading *r, const char *folder, schuler_scenario *s)
+static schuler_status build_path(schuler_reading *r, schuler_scenario *s)
 {
     const schuler_trajectory_kind *const kind = s->trajectory;
     const char *name = NULL;
@@ -162,7 +162,7 @@ static schuler_status build_path(schuler_reading *r, const char *folder, schuler
     schuler_status status = SCHULER_OK;
     if (name) {
         const char *const path =
-            name[0] == '/' || !folder ? name : schuler_arena_printf(r->arena, "%s%s", folder, name);
+            name[0] == '/' ? name : schuler_arena_printf(r->arena, "%s%s", s->folder, name);
         status = path ? schuler_recorded_rows(rows, path, r->d) : SCHULER_ERR_MEMORY;
     }
     if (status == SCHULER_OK) status = kind->build(s->trajectory_spec, &s->path, r->d);
@@ -184,16 +184,14 @@ static void read_scenario(schuler_reading *r, const schuler_overrides *o, schule
     if (schuler_document_root(doc)->kind != SCHULER_NODE_MAP) return;
     schuler_scenario_check(r, &file, s);
     override_sources(r, o, s);
-    const char *const slash = strrchr(s->file, '/');
-    const char *const folder =
-        slash ? schuler_arena_printf(r->arena, "%.*s", (int)(slash - s->file + 1), s->file) : NULL;
     if (file.imu) {
-        schuler_imu_read(r, file.imu, folder, &s->imu, s->documents, &s->document_count);
+        schuler_imu_read(r, file.imu, *s->folder ? s->folder : NULL, &s->imu, s->documents,
+                         &s->document_count);
         schuler_scenario_check_sources(r, s);
     }
     if (file.trajectory) read_trajectory(r, file.trajectory, s);
     if (r->d->errors > errors || r->memory_failed || !s->trajectory_spec) return;
-    if (build_path(r, folder, s) != SCHULER_OK) {
+    if (build_path(r, s) != SCHULER_OK) {
         if (r->d->errors == errors)
             schuler_diagnose(r->d, SCHULER_ERR_NUMERIC, schuler_node_place(file.trajectory),
                              "the trajectory cannot be computed");
@@ -213,8 +211,13 @@ static schuler_scenario *create(const char *path, schuler_diagnostics *d)
         s->documents = calloc(SCHULER_DOCUMENTS_MAX, sizeof(schuler_document *));
         s->arena = schuler_arena_create();
         if (s->arena) s->file = schuler_arena_printf(s->arena, "%s", path);
+        if (s->file) {
+            const char *const slash = strrchr(s->file, '/');
+            s->folder = schuler_arena_printf(s->arena, "%.*s",
+                                             slash ? (int)(slash - s->file + 1) : 0, s->file);
+        }
     }
-    if (!s || !s->documents || !s->file) {
+    if (!s || !s->documents || !s->file || !s->folder) {
         schuler_diagnose(d, SCHULER_ERR_MEMORY, NULL, "out of memory");
         schuler_scenario_free(s);
         return NULL;

@@ -62,11 +62,12 @@ typedef struct {
 typedef struct schuler_scenario {
     const char *name;
     const char *file;
-    char sha256[65]; /* of the file's bytes, hex                                   */
+    const char *folder; /* of the file, with its last slash; "" without  */
+    char sha256[65];    /* of the file's bytes, hex                                   */
     uint64_t seed;
     int runs;
     double report_s; /* interval of the error reports; a whole number of blocks is not needed */
-    const char *truth_gravity;
+    const char *truth_gravity; /* for schuler_field_open */
     const schuler_trajectory_kind *trajectory;
     void *trajectory_spec;
     schuler_overlays_spec overlays; /* on it                                                    */

@@ -7,27 +7,61 @@
 #include "scenarios/vertical.h"
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Names of data sets are open: GeographicLib finds what is installed. A near miss of a known name
  * is a slip all the same, and a name is not a path. */
-static const char *check_gravity(schuler_reading *r, const schuler_node *node, const char *what)
+/* A name, perhaps with a degree: egm96:120. Returned as schuler_field_open wants it, in the folder that
+ * the scenario names. */
+static const char *check_gravity(schuler_reading *r, const schuler_node *node, const char *what,
+                                 const char *folder)
 {
     static const char *const known[] = { "wgs84", "grs80", "egm84", "egm96", "egm2008" };
-    enum { COUNT = sizeof known / sizeof known[0] };
+    enum { COUNT = sizeof known / sizeof known[0], BUILT_IN = 2 };
     if (!node) return known[0];
     const char *text = schuler_read_scalar(r, node, what, "the name of a gravity model");
     if (!text) return known[0];
-    for (int i = 0; i < COUNT; i++)
-        if (strcmp(text, known[i]) == 0) return text;
-    const bool is_name = text[strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+    const size_t length = strcspn(text, ":");
+    const char *const name = schuler_arena_printf(r->arena, "%.*s", (int)length, text);
+    const char *const whole =
+        schuler_arena_printf(r->arena, "%s%s%s", folder ? folder : "", folder ? "/" : "", text);
+    if (!name || !whole) return known[0];
+    bool is_known = false, is_built_in = false;
+    for (int i = 0; i < COUNT; i++) {
+        if (strcmp(name, known[i]) != 0) continue;
+        is_known = true;
+        is_built_in = i < BUILT_IN;
+    }
+    const char *const degree = text[length] ? text + length + 1 : NULL;
+    const bool is_number = degree && strspn(degree, "0123456789") == strlen(degree) &&
+                           strlen(degree) > 0 && strlen(degree) < 6 && atoi(degree) >= 2;
+    if (degree && (is_built_in || !is_number)) {
+        schuler_diagnose(
+            r->d, SCHULER_ERR_INPUT, &node->place,
+            "%s: '%.60s': a degree is a whole number from 2 on behind the name of a data "
+            "set, as in egm96:120",
+            what, text);
+        return known[0];
+    }
+    if (is_known) return is_built_in ? text : whole;
+    const bool is_name = name[strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                            "0123456789_-")] == '\0';
-    const bool is_variant = strncmp(text, "egm2008-", 8) == 0 || strncmp(text, "egm96-", 6) == 0;
-    if (is_name && (is_variant || !schuler_nearest(text, known, COUNT))) return text;
+    const bool is_variant = strncmp(name, "egm2008-", 8) == 0 || strncmp(name, "egm96-", 6) == 0;
+    if (is_name && (is_variant || !schuler_nearest(name, known, COUNT))) return whole;
     char lead[200];
     snprintf(lead, sizeof lead, "%s: unknown gravity model '%.60s'", what, text);
-    schuler_diagnose_unknown(r, &node->place, lead, text, known, COUNT);
+    schuler_diagnose_unknown(r, &node->place, lead, name, known, COUNT);
     return known[0];
+}
+
+/* Where data sets are looked for: relative to the scenario; NULL: where GeographicLib looks. */
+static const char *gravity_folder(schuler_reading *r, const schuler_scenario_file *file,
+                                  const schuler_scenario *s)
+{
+    const char *const path = file->truth.gravity_path;
+    if (!path || path[0] == '/') return path;
+    return schuler_arena_printf(r->arena, "%s%s", s->folder, path);
 }
 
 static int check_frame(schuler_reading *r, const schuler_node *node)
@@ -171,8 +205,9 @@ void schuler_scenario_check(schuler_reading *r, const schuler_scenario_file *fil
     s->name = file->name;
     s->seed = (uint64_t)file->seed;
     s->runs = (int)file->runs;
-    s->truth_gravity = check_gravity(r, file->truth.gravity, "truth.gravity");
-    s->nav_gravity = check_gravity(r, file->navigation.gravity, "navigation.gravity");
+    const char *const folder = gravity_folder(r, file, s);
+    s->truth_gravity = check_gravity(r, file->truth.gravity, "truth.gravity", folder);
+    s->nav_gravity = check_gravity(r, file->navigation.gravity, "navigation.gravity", folder);
     s->frame = check_frame(r, file->navigation.frame);
     check_vertical(r, file, s);
     s->coning = check_coning(r, file->navigation.coning);

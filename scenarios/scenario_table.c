@@ -14,7 +14,12 @@ static const schuler_field truth_fields[] = {
       .kind = SCHULER_FIELD_NODE,
       .offset = IN(truth, gravity),
       .example = "wgs84",
-      .doc = "gravity of the real world: wgs84, grs80, egm96, ..." },
+      .doc = "gravity of the real world: wgs84, grs80, egm96, egm96:120 (to that degree), ..." },
+    { .key = "gravity_path",
+      .kind = SCHULER_FIELD_TEXT,
+      .offset = IN(truth, gravity_path),
+      .example = "data/gravity",
+      .doc = "folder of the data sets, for the navigator's too; relative to the scenario" },
     { .key = NULL },
 };
 static const schuler_object truth_object = {

@@ -30,9 +30,9 @@
                    2.0 * SCHULER_PI, "45 deg", "direction from north, east positive")
 /* clang-format on */
 
-/* The box of the gravity table. */
+/* Where gravity is known. */
 #define FIELD_LOWEST_M    SCHULER_GRAVITY_LOW_M
-#define FIELD_HIGHEST_M   SCHULER_GRAVITY_HIGH_M
-#define FIELD_FASTEST_MPS 2000.0
+#define FIELD_HIGHEST_M   120000.0
+#define FIELD_FASTEST_MPS 4000.0
 
 #endif

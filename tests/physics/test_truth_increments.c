@@ -233,13 +233,13 @@ static void steps_far_outside_the_path_stay_finite(void **state)
 static void what_cannot_be_is_refused(void **state)
 {
     (void)state;
-    schuler_static_spec spec = { .start = { .lat_rad = 0.5, .h_m = 60000.0 }, .for_s = 10.0 };
+    schuler_static_spec spec = { .start = { .lat_rad = 0.5, .h_m = 130000.0 }, .for_s = 10.0 };
     schuler_path path = flight_build("static", &spec);
     schuler_truth *truth = NULL;
     schuler_error err = { 0 };
     assert_int_equal(schuler_truth_create(&truth, &path, 0.01, "wgs84", "wgs84", &err),
                      SCHULER_ERR_NUMERIC);
-    assert_non_null(strstr(err.message, "60000 m"));
+    assert_non_null(strstr(err.message, "130000 m"));
     schuler_path_free(&path);
     spec.start.h_m = 0.0;
     path = flight_build("static", &spec);

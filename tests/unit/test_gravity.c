@@ -73,14 +73,19 @@ static void centrifugal_acceleration_is_in_gravity_and_not_in_gravitation(void *
 }
 
 /* Places all over the box, its corners among them: a golden-section spiral times heights. */
-static schuler_llh somewhere(int i, int count)
+static schuler_llh somewhere_to(double high_m, int i, int count)
 {
     const double z = -1.0 + 2.0 * i / (count - 1.0);
     const double lat_rad = asin(fmin(fmax(z, -1.0), 1.0));
-    const double h_m = SCHULER_GRAVITY_LOW_M + fmod(i * 0.6180339887498949, 1.0) *
-                                                   (SCHULER_GRAVITY_HIGH_M - SCHULER_GRAVITY_LOW_M);
-    const double edge_m = i % 10 == 0 ? SCHULER_GRAVITY_LOW_M : SCHULER_GRAVITY_HIGH_M;
+    const double h_m = SCHULER_GRAVITY_LOW_M +
+                       fmod(i * 0.6180339887498949, 1.0) * (high_m - SCHULER_GRAVITY_LOW_M);
+    const double edge_m = i % 10 == 0 ? SCHULER_GRAVITY_LOW_M : high_m;
     return (schuler_llh){ lat_rad, 2.39996322972865332 * i, i % 5 == 0 ? edge_m : h_m };
+}
+
+static schuler_llh somewhere(int i, int count)
+{
+    return somewhere_to(SCHULER_GRAVITY_HIGH_M, i, count);
 }
 
 static void the_table_follows_geographiclib_on_the_whole_globe(void **state)
@@ -102,6 +107,33 @@ static void the_table_follows_geographiclib_on_the_whole_globe(void **state)
         CHECK_NEAR(worst, 0.0, table_mps2);
         schuler_field_close(field);
     }
+}
+
+/* A polynomial of degree 5 leaves an error that grows with the sixth power of the box's height, 126 km
+ * against 51; and no table is made for heights that are not needed or cannot be had. */
+static void a_higher_table_holds_to_the_edge_of_space(void **state)
+{
+    (void)state;
+    enum { PLACES = 5001 };
+    schuler_field_model *field = NULL;
+    schuler_gravity_table table;
+    load("wgs84", &field, &table);
+    assert_int_equal(schuler_gravity_fit_to(&table, field, SCHULER_GRAVITY_HIGHEST_M, NULL),
+                     SCHULER_OK);
+    double worst = 0.0;
+    for (int i = 0; i < PLACES; i++) {
+        const schuler_vec3 r_e =
+            schuler_ecef_from_llh(somewhere_to(SCHULER_GRAVITY_HIGHEST_M, i, PLACES));
+        const schuler_vec3 off =
+            schuler_vec3_sub(schuler_gravity_at(&table, r_e), schuler_field_gravity(field, r_e));
+        for (int a = 0; a < 3; a++) worst = fmax(worst, fabs(off.v[a]));
+    }
+    CHECK_NEAR(worst, 0.0, table_mps2 * pow(126.0 / 51.0, 6.0));
+    static const double refused_m[] = { 40000.0, 126000.0, NAN };
+    for (int i = 0; i < 3; i++)
+        assert_int_equal(schuler_gravity_fit_to(&table, field, refused_m[i], NULL),
+                         SCHULER_ERR_NUMERIC);
+    schuler_field_close(field);
 }
 
 static void the_two_ellipsoids_are_told_apart(void **state)
@@ -177,6 +209,7 @@ int main(void)
         cmocka_unit_test(gravity_has_its_closed_form_values),
         cmocka_unit_test(centrifugal_acceleration_is_in_gravity_and_not_in_gravitation),
         cmocka_unit_test(the_table_follows_geographiclib_on_the_whole_globe),
+        cmocka_unit_test(a_higher_table_holds_to_the_edge_of_space),
         cmocka_unit_test(the_two_ellipsoids_are_told_apart),
         cmocka_unit_test(height_and_normal_are_those_of_the_ellipsoid),
         cmocka_unit_test(every_instruction_set_has_the_bits_of_the_scalar_twin),
