@@ -23,7 +23,7 @@ sse2 0 ecef 517
 avx2 0 ecef 209
 avx2 6 ecef 328
 avx2 18 ecef 612
-avx2 0 wander 293
-avx2 0 ned 296
+avx2 0 wander 315
+avx2 0 ned 317
 LIMITS
 exit $failures
