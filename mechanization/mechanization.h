@@ -45,9 +45,10 @@ typedef struct {
 
 typedef struct {
     const char *name, *summary, *source;
-    double latitude_max_rad; /* north and south, where the frame ends; 0: it does not */
-    size_t state_size;       /* bytes, aligned to 64, for one vector of lanes */
-    size_t group_size;       /* more of them, for an algorithm of several samples */
+    const char *equation, *limits; /* as text; lines of the first separated by \n, 76 columns */
+    double latitude_max_rad;       /* north and south, where the frame ends; 0: it does not */
+    size_t state_size;             /* bytes, aligned to 64, for one vector of lanes */
+    size_t group_size;             /* more of them, for an algorithm of several samples */
     void (*init)(void *state, const schuler_nav_setup *setup);
     /** Advance by block->n samples. A block ends on a navigation cycle: n is a multiple of
      *  samples_per_update, except at the end of a run, where the rest is not updated. */

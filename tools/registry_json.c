@@ -95,8 +95,12 @@ json_t *registry_json(const schuler_plugins *plugins)
                                           schuler_overlay_source(schuler_overlay_kinds[i])));
     }
     const schuler_mechanization *const *f = schuler_mechanizations(SCHULER_ISA_SCALAR);
-    for (; frames && *f; f++)
-        frames = append(frames, entry((*f)->name, (*f)->summary, (*f)->source));
+    for (; frames && *f; f++) {
+        json_t *row = entry((*f)->name, (*f)->summary, (*f)->source);
+        if (row) json_object_set_new(row, "equation", json_of_text((*f)->equation));
+        if (row) json_object_set_new(row, "limits", json_of_text((*f)->limits));
+        frames = append(frames, row);
+    }
     json_t *algorithms = json_array();
     for (const schuler_coning_algorithm *a = schuler_coning_algorithms; algorithms && a->name;
          a++) {

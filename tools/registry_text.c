@@ -217,6 +217,9 @@ bool registry_show(FILE *out, const char *name, const schuler_plugins *plugins)
     for (int i = 0; frames[i]; i++) {
         if (strcmp(frames[i]->name, name) != 0) continue;
         put_head(out, "a navigation frame", name, frames[i]->summary, frames[i]->source);
+        put_equation(out, frames[i]->equation);
+        fputs("  limits: ", out);
+        page_wrap(out, frames[i]->limits, 10, 10);
         return true;
     }
     for (const schuler_coning_algorithm *a = schuler_coning_algorithms; a->name; a++) {

@@ -177,6 +177,10 @@ const schuler_mechanization SCHULER_LANE_NAME(schuler_frame_ecef) = {
     .source =
         "P. G. Savage, Strapdown inertial navigation integration algorithm design, J. Guidance, "
         "Control, and Dynamics 21(1) and 21(2), 1998; P. D. Groves, 2nd ed., ch. 5",
+    .equation = "r' = v\n"
+                "v' = C_b_e f_ib_b - 2 omega_ie x v + g(r)\n"
+                "C_b_e' = C_b_e [omega_ib_b x] - [omega_ie x] C_b_e",
+    .limits = "none: nothing is singular anywhere on earth",
     .state_size = offsetof(frame_state, group),
     .group_size = sizeof(frame_state) - offsetof(frame_state, group),
     .init = frame_start,
