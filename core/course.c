@@ -29,21 +29,50 @@ static xvec normal_turn(xvec n_e, xvec t_e)
     return xvec_scale(1.0L / R_P, xvec_add_scaled(t_e, k, z_cross_part));
 }
 
-/* Forward along the flight path, bank by coordination: tan(bank) = speed * turn rate / g0. Written
- * with vectors and ratios, so that no angle is ever singular. */
-static void attitude(xvec n_e, xvec forward_e, long double speed, long double climb,
-                     long double turn_rate, xvec axes_e[3])
+/* What the channels of speed, height and path angle say at an instant. */
+typedef struct {
+    long double ground_mps; /* over ground, at the height; negative when the path leads backwards */
+    long double climb_mps, h_m;
+    long double cp, sp; /* cosine and sine of the path angle */
+} steering;
+
+static steering steer(const schuler_phase *phase, schuler_instant t, long double h_m)
 {
+    const long double speed = schuler_channel_value(&phase->speed, t);
+    if (phase->along_path) {
+        const long double angle = schuler_channel_value(&phase->path_angle, t);
+        const long double cp = cosl(angle), sp = sinl(angle);
+        return (steering){ speed * cp, speed * sp, h_m, cp, sp };
+    }
+    const long double climb = schuler_channel_rate(&phase->height, t);
     const long double along = hypotl(speed, climb);
-    const long double cp = along > 0.0L ? speed / along : 1.0L;
-    const long double sp = along > 0.0L ? climb / along : 0.0L;
-    const long double tan_bank = speed * turn_rate / SCHULER_G0_MPS2;
+    return (steering){
+        .ground_mps = speed,
+        .climb_mps = climb,
+        .h_m = schuler_channel_value(&phase->height, t),
+        .cp = along > 0.0L ? speed / along : 1.0L,
+        .sp = along > 0.0L ? climb / along : 0.0L,
+    };
+}
+
+/* Forward along the flight path, bank by coordination: tan(bank) = speed * turn rate / g0. Written
+ * with vectors and ratios, so that no angle is ever singular. Then the body's own turns. */
+static void attitude(const schuler_phase *phase, schuler_instant t, xvec n_e, xvec forward_e,
+                     steering at, long double turn_rate, xvec axes_e[3])
+{
+    const long double cp = at.cp, sp = at.sp;
+    const long double tan_bank = phase->banked ? at.ground_mps * turn_rate / SCHULER_G0_MPS2 : 0.0L;
     const long double cr = 1.0L / sqrtl(1.0L + tan_bank * tan_bank), sr = tan_bank * cr;
     axes_e[0] = xvec_add_scaled(xvec_scale(cp, forward_e), sp, n_e);
     const xvec right_e = xvec_cross(forward_e, n_e);
     const xvec under_e = xvec_cross(axes_e[0], right_e);
     axes_e[1] = xvec_add_scaled(xvec_scale(cr, right_e), sr, under_e);
     axes_e[2] = xvec_add_scaled(xvec_scale(cr, under_e), -sr, right_e);
+    const schuler_channel *const turns[3] = { &phase->yaw, &phase->pitch, &phase->roll };
+    for (int i = 0; i < 3; i++) {
+        const long double angle = schuler_channel_value(turns[i], t);
+        if (angle != 0.0L) xvec_turn(axes_e, 2 - i, angle);
+    }
 }
 
 static void flow_rhumb(const void *user, schuler_instant t, const schuler_course *course,
@@ -51,9 +80,8 @@ static void flow_rhumb(const void *user, schuler_instant t, const schuler_course
 {
     const schuler_phase *const phase = user;
     const xvec n = course->n_e;
-    const long double speed = schuler_channel_value(&phase->speed, t);
-    const long double climb = schuler_channel_rate(&phase->height, t);
-    const long double h = schuler_channel_value(&phase->height, t);
+    const steering at = steer(phase, t, course->h_m);
+    const long double speed = at.ground_mps, h = at.h_m;
     const long double heading = schuler_channel_value(&phase->heading, t);
     const xvec east_e = xvec_unit(xvec_make(-n.v[1], n.v[0], 0.0L));
     const xvec north_e = xvec_cross(n, east_e);
@@ -64,9 +92,9 @@ static void flow_rhumb(const void *user, schuler_instant t, const schuler_course
     out->n_rate_e = xvec_add_scaled(xvec_scale(speed * ch / (R_M + h), north_e),
                                     speed * sh / (R_P + h), east_e);
     out->u_rate_e = xvec_make(0.0L, 0.0L, 0.0L); /* not used by this flow */
-    out->v_e = xvec_add_scaled(xvec_scale(speed, forward_e), climb, n);
-    const long double bank_rate = phase->banked ? schuler_channel_rate(&phase->heading, t) : 0.0L;
-    attitude(n, forward_e, speed, climb, bank_rate, out->axes_e);
+    out->h_rate_mps = at.climb_mps;
+    out->v_e = xvec_add_scaled(xvec_scale(speed, forward_e), at.climb_mps, n);
+    attitude(phase, t, n, forward_e, at, schuler_channel_rate(&phase->heading, t), out->axes_e);
 }
 
 static void flow_track(const void *user, schuler_instant t, const schuler_course *course,
@@ -74,9 +102,8 @@ static void flow_track(const void *user, schuler_instant t, const schuler_course
 {
     const schuler_phase *const phase = user;
     const xvec n = course->n_e, u = course->u_e;
-    const long double speed = schuler_channel_value(&phase->speed, t);
-    const long double climb = schuler_channel_rate(&phase->height, t);
-    const long double h = schuler_channel_value(&phase->height, t);
+    const steering at = steer(phase, t, course->h_m);
+    const long double speed = at.ground_mps, h = at.h_m;
     const long double turn_rate = schuler_channel_rate(&phase->heading, t);
     const xvec K = normal_turn(n, u);
     const xvec per_surface = xvec_add_scaled(u, h, K);
@@ -87,8 +114,9 @@ static void flow_track(const void *user, schuler_instant t, const schuler_course
      */
     out->u_rate_e =
         xvec_add_scaled(xvec_scale(-xvec_dot(u, out->n_rate_e), n), turn_rate, xvec_cross(u, n));
-    out->v_e = xvec_add_scaled(xvec_scale(speed, forward_e), climb, n);
-    attitude(n, forward_e, speed, climb, phase->banked ? turn_rate : 0.0L, out->axes_e);
+    out->h_rate_mps = at.climb_mps;
+    out->v_e = xvec_add_scaled(xvec_scale(speed, forward_e), at.climb_mps, n);
+    attitude(phase, t, n, forward_e, at, turn_rate, out->axes_e);
 }
 
 schuler_status schuler_course_follow(schuler_path_builder *b, schuler_course_kind kind,

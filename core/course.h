@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How a vehicle moves over the ellipsoid: two flows for a phase of speed, height and heading.
+/* How a vehicle moves over the ellipsoid: two flows for a phase of the motion.
  * Private to core. */
 #ifndef SCHULER_CORE_COURSE_H
 #define SCHULER_CORE_COURSE_H

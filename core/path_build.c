@@ -85,6 +85,7 @@ void schuler_path_begin(schuler_path_builder *b, schuler_path *path, schuler_cou
         b, path,
         xvec_make((R_P + h_m) * n.v[0], (R_P + h_m) * n.v[1], (R_P * (1.0L - e2) + h_m) * n.v[2]));
     b->course = course;
+    b->course.h_m = b->lowest_m = b->highest_m = h_m;
 }
 
 /* Values of the three components at the nodes, times a row of a matrix. */
@@ -92,6 +93,13 @@ static xvec combine(const long double row[NODES], const xvec at[NODES])
 {
     xvec sum = { { 0 } };
     for (int j = 0; j < NODES; j++) sum = xvec_add_scaled(sum, row[j], at[j]);
+    return sum;
+}
+
+static long double combine_one(const long double row[NODES], const long double at[NODES])
+{
+    long double sum = 0.0L;
+    for (int j = 0; j < NODES; j++) sum += row[j] * at[j];
     return sum;
 }
 
@@ -107,14 +115,17 @@ static int solve(const schuler_path_builder *b, schuler_flow_function *flow, con
 {
     const schuler_collocation *const c = &b->collocation;
     xvec n_rate[NODES], u_rate[NODES];
+    long double h_rate[NODES];
     for (int j = 0; j < NODES; j++) course[j] = b->course;
     long double change = 0.0L;
     for (int iteration = 0; iteration < PICARD_MAX; iteration++) {
         for (int j = 0; j < NODES; j++) {
             const schuler_instant t = { start.joint_s,
                                         start.after_s + 0.5L * T_s * (c->s[j] + 1.0L) };
+            at[j].h_rate_mps = 0.0L;
             flow(user, t, &course[j], &at[j]);
             n_rate[j] = at[j].n_rate_e;
+            h_rate[j] = at[j].h_rate_mps;
             u_rate[j] = at[j].u_rate_e;
         }
         const long double before = change;
@@ -123,9 +134,11 @@ static int solve(const schuler_path_builder *b, schuler_flow_function *flow, con
             const schuler_course next = {
                 xvec_add_scaled(b->course.n_e, 0.5L * T_s, combine(c->integral[j], n_rate)),
                 xvec_add_scaled(b->course.u_e, 0.5L * T_s, combine(c->integral[j], u_rate)),
+                b->course.h_m + 0.5L * T_s * combine_one(c->integral[j], h_rate),
             };
             change = fmaxl(change, largest(xvec_add_scaled(next.n_e, -1.0L, course[j].n_e)));
             change = fmaxl(change, largest(xvec_add_scaled(next.u_e, -1.0L, course[j].u_e)));
+            change = fmaxl(change, fabsl(next.h_m - course[j].h_m) / SCHULER_WGS84_A_M);
             course[j] = next;
         }
         if (!(change < 2.0L)) return 0; /* unit vectors cannot differ by more; also NaN */
@@ -207,11 +220,19 @@ static schuler_status append(schuler_path_builder *b, const schuler_piece *piece
 
 typedef enum { TOO_LONG, GOOD, EASY } verdict;
 
-/* Solve one piece of length T and judge it; *course and *piece are what it gives. */
+/* What a piece gives. */
+typedef struct {
+    schuler_piece piece;
+    schuler_course course; /* at its end */
+    xvec r_e;              /* there */
+    long double lowest_m, highest_m;
+} trial;
+
+/* Solve one piece of length T and judge it. */
 static verdict try_piece(const schuler_path_builder *b, schuler_flow_function *flow,
-                         const void *user, schuler_instant start, double T_s,
-                         schuler_course *course, schuler_piece *piece, xvec *r_end_e)
+                         const void *user, schuler_instant start, double T_s, trial *out)
 {
+    schuler_piece *const piece = &out->piece;
     schuler_course courses[NODES];
     schuler_flow at[NODES];
     xvec v_e[NODES], rho[NODES];
@@ -234,9 +255,15 @@ static verdict try_piece(const schuler_path_builder *b, schuler_flow_function *f
         fmaxl(tail(&b->collocation, v_e) / (b->velocity_tail * (1.0L + 0.01L * fastest)),
               tail(&b->collocation, rho) / b->attitude_tail);
     if (!(excess <= 1.0L)) return TOO_LONG;
-    *r_end_e = fill(b, T_s, v_e, rho, piece);
-    if (!isfinite(r_end_e->v[0] + r_end_e->v[1] + r_end_e->v[2])) return TOO_LONG;
-    *course = (schuler_course){ xvec_unit(courses[NODES - 1].n_e), courses[NODES - 1].u_e };
+    out->r_e = fill(b, T_s, v_e, rho, piece);
+    if (!isfinite(out->r_e.v[0] + out->r_e.v[1] + out->r_e.v[2])) return TOO_LONG;
+    out->course = courses[NODES - 1];
+    out->course.n_e = xvec_unit(out->course.n_e);
+    out->lowest_m = out->highest_m = out->course.h_m;
+    for (int j = 0; j < NODES; j++) {
+        out->lowest_m = fminl(out->lowest_m, courses[j].h_m);
+        out->highest_m = fmaxl(out->highest_m, courses[j].h_m);
+    }
     const long double turned = fmaxl(largest(rho[0]), largest(rho[NODES - 1]));
     return excess < 1e-3L && turned < 0.4L * SCHULER_PIECE_ANGLE_RAD ? EASY : GOOD;
 }
@@ -249,11 +276,9 @@ schuler_status schuler_path_extend(schuler_path_builder *b, schuler_flow_functio
         /* Equal parts of what is left, so that no sliver remains at the end. */
         const double parts = ceil((to_s - t_s) / b->trial_s);
         const double T_s = parts > 1.0 ? schuler_tick((to_s - t_s) / parts) : to_s - t_s;
-        schuler_course course;
-        schuler_piece piece;
-        xvec r_end_e;
-        const verdict v = try_piece(b, flow, user, (schuler_instant){ from_s, t_s - from_s }, T_s,
-                                    &course, &piece, &r_end_e);
+        trial next;
+        const verdict v =
+            try_piece(b, flow, user, (schuler_instant){ from_s, t_s - from_s }, T_s, &next);
         if (v == TOO_LONG) {
             b->trial_s = 0.5 * T_s;
             good = 0;
@@ -265,11 +290,13 @@ schuler_status schuler_path_extend(schuler_path_builder *b, schuler_flow_functio
         }
         if (++b->count > b->pieces_max) return SCHULER_ERR_NUMERIC;
         if (b->path != NULL) {
-            const schuler_status status = append(b, &piece);
+            const schuler_status status = append(b, &next.piece);
             if (status != SCHULER_OK) return status;
         }
-        b->course = course;
-        b->r_e = r_end_e;
+        b->course = next.course;
+        b->lowest_m = fminl(b->lowest_m, next.lowest_m);
+        b->highest_m = fmaxl(b->highest_m, next.highest_m);
+        b->r_e = next.r_e;
         b->t_s += T_s;
         t_s += T_s;
         /* Longer ones are also tried now and then where rounding hides how easy it was. */

@@ -14,15 +14,17 @@
 #include "core/profile.h"
 #include "core/xvec.h"
 
-/* A place on the ellipsoid and the way a track runs through it. Vectors, so that no place is
+/* A place above the ellipsoid and the way a track runs through it. Vectors, so that no place is
  * singular. */
 typedef struct {
-    xvec n_e; /* geodetic normal, up              */
-    xvec u_e; /* horizontal tangent of the track  */
+    xvec n_e;        /* geodetic normal, up              */
+    xvec u_e;        /* horizontal tangent of the track  */
+    long double h_m; /* height                           */
 } schuler_course;
 
 typedef struct {
     xvec n_rate_e, u_rate_e; /* of the course, 1/s                                */
+    long double h_rate_mps;  /* of its height; 0 unless set                       */
     xvec v_e;                /* velocity over ground, m/s                         */
     xvec axes_e[3];          /* body axes forward, right, down in ECEF components */
 } schuler_flow;
@@ -52,6 +54,7 @@ typedef struct {
     long double velocity_tail, attitude_tail;
     xvec r_e; /* position there; its rounding is carried from piece to piece    */
     schuler_course course;
+    long double lowest_m, highest_m; /* heights of the course so far */
     schuler_collocation collocation;
 } schuler_path_builder;
 

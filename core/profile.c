@@ -70,28 +70,62 @@ static schuler_instant shifted(const schuler_channel *c, schuler_instant t)
     return (schuler_instant){ t.joint_s - c->start_s, t.after_s };
 }
 
+/* The Bernstein polynomial of the points of a curve less its start, at x in [0, 1], by de
+ * Casteljau's scheme. Returned beside it: the derivative by x. */
+static long double curve_change(const schuler_channel *c, long double x, long double *slope)
+{
+    long double p[SCHULER_CURVE_POINTS + 5] = { 0.0L, 0.0L, 0.0L };
+    const schuler_curve *const curve = &c->curve;
+    const size_t last = curve->count + 4;
+    for (size_t i = 3; i <= last; i++)
+        p[i] = (long double)curve->to[i - 3 < curve->count ? i - 3 : curve->count - 1] - c->from;
+    for (size_t n = last; n > 1; n--)
+        for (size_t i = 0; i < n; i++) p[i] += x * (p[i + 1] - p[i]);
+    *slope = (long double)last * (p[1] - p[0]);
+    return p[0] + x * (p[1] - p[0]);
+}
+
+static long double curve_at(const schuler_channel *c, schuler_instant t, long double *rate)
+{
+    const long double T_s = c->curve.duration_s;
+    const long double x = fminl(fmaxl(since_start(t) / T_s, 0.0L), 1.0L);
+    const long double change = curve_change(c, x, rate);
+    *rate /= T_s;
+    return change;
+}
+
 long double schuler_channel_value(const schuler_channel *c, schuler_instant t)
 {
+    long double rate;
+    if (c->curve.count > 0) return c->from + curve_at(c, t, &rate);
     return c->from + schuler_trapezoid_value(&c->trapezoid, shifted(c, t));
 }
 
 long double schuler_channel_rate(const schuler_channel *c, schuler_instant t)
 {
+    long double rate;
+    if (c->curve.count > 0) {
+        (void)curve_at(c, t, &rate);
+        return rate;
+    }
     return schuler_trapezoid_rate(&c->trapezoid, shifted(c, t));
 }
 
 double schuler_channel_end(const schuler_channel *c)
 {
-    return c->from + c->trapezoid.change;
+    return c->curve.count > 0 ? c->curve.to[c->curve.count - 1] : c->from + c->trapezoid.change;
 }
 
 int schuler_phase_joints(const schuler_phase *phase, double joints_s[SCHULER_PHASE_JOINTS])
 {
-    const schuler_channel *const channels[3] = { &phase->speed, &phase->height, &phase->heading };
+    const schuler_channel *const channels[SCHULER_PHASE_CHANNELS] = {
+        &phase->speed, &phase->height, &phase->path_angle, &phase->heading,
+        &phase->yaw,   &phase->pitch,  &phase->roll,
+    };
     int count = 0;
     joints_s[count++] = 0.0;
     joints_s[count++] = phase->duration_s;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < SCHULER_PHASE_CHANNELS; i++) {
         const schuler_trapezoid *const z = &channels[i]->trapezoid;
         if (z->change == 0.0) continue;
         const double start_s = channels[i]->start_s;

@@ -104,6 +104,25 @@ static void read_texts(schuler_reading *r, const schuler_node *node, const char 
     }
 }
 
+static void read_quantities(schuler_reading *r, const schuler_node *node, const char *what,
+                            const schuler_field *f, schuler_quantity_list *out)
+{
+    const bool is_list = node->kind == SCHULER_NODE_LIST;
+    const size_t count = is_list ? node->count : 1;
+    if (count == 0 || count > (size_t)f->components) {
+        char wanted[60];
+        snprintf(wanted, sizeof wanted, "a list of 1 to %d values", f->components);
+        schuler_expected(r, node, what, wanted);
+        return;
+    }
+    out->items = schuler_reading_alloc(r, count * sizeof *out->items);
+    if (!out->items) return;
+    for (size_t i = 0; i < count; i++)
+        if (schuler_read_quantity(r, is_list ? node->items[i] : node, what, f,
+                                  &out->items[out->count]))
+            out->count++;
+}
+
 static void read_object(schuler_reading *r, const schuler_node *node, const char *what,
                         const schuler_object *object, void *spec);
 
@@ -171,6 +190,9 @@ static void read_field(schuler_reading *r, const schuler_node *node, const char 
     case SCHULER_FIELD_QUANTITY:
     case SCHULER_FIELD_NUMBER:
         (void)schuler_read_quantity(r, node, what, f, at);
+        break;
+    case SCHULER_FIELD_QUANTITIES:
+        read_quantities(r, node, what, f, at);
         break;
     case SCHULER_FIELD_INTEGER:
         (void)read_integer(r, node, what, f, at);

@@ -13,10 +13,11 @@ SCHULER_BEGIN_C
 
 typedef enum {
     SCHULER_FIELD_QUANTITY, /* double, SI; number with unit of dim                               */
-    SCHULER_FIELD_NUMBER,   /* double without unit                                               */
-    SCHULER_FIELD_INTEGER,  /* int64_t                                                           */
-    SCHULER_FIELD_TEXT,     /* const char *, borrowed from the document                          */
-    SCHULER_FIELD_CHOICE,   /* const char *, one of choices (points into choices)                */
+    SCHULER_FIELD_QUANTITIES, /* schuler_quantity_list; one scalar counts as a list of one       */
+    SCHULER_FIELD_NUMBER,  /* double without unit                                               */
+    SCHULER_FIELD_INTEGER, /* int64_t                                                           */
+    SCHULER_FIELD_TEXT,    /* const char *, borrowed from the document                          */
+    SCHULER_FIELD_CHOICE,  /* const char *, one of choices (points into choices)                */
     SCHULER_FIELD_VALUE,  /* schuler_value of 1, 2, 3, 6 or 9 components: fixed or drawn          */
     SCHULER_FIELD_OBJECT, /* the object's struct in place                                      */
     SCHULER_FIELD_LIST,   /* schuler_list of object structs                                    */
@@ -40,8 +41,8 @@ struct schuler_field {
     schuler_field_kind kind;
     size_t offset; /* of the member in the object's struct                      */
     bool required;
-    schuler_dim dim;     /* QUANTITY, VALUE                                           */
-    int components;      /* VALUE: how many; [V, ...] must have as many               */
+    schuler_dim dim;     /* QUANTITY, QUANTITIES, VALUE                               */
+    int components;      /* VALUE: how many, [V, ...] must have as many; QUANTITIES: at most */
     double def;          /* QUANTITY, NUMBER, INTEGER: when absent. NAN = "not given"  */
     double min, max;     /* inclusive, SI; both 0 = any                               */
     const char *example; /* as one would write it: "2 m/s^2"                          */
@@ -72,6 +73,11 @@ typedef struct {
     schuler_place *places;
     size_t count;
 } schuler_text_list;
+
+typedef struct {
+    double *items; /* SI */
+    size_t count;
+} schuler_quantity_list;
 
 /* A physical value: V, [V, V, V], {normal: V}, {uniform: V} or {uniform: [V, V]}; in catalog files
  * also {value: V}, and with any map form `source: NAME`, `note: TEXT`, `qualifier: TEXT`,

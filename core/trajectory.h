@@ -45,7 +45,7 @@ typedef struct {
     schuler_place place;
     double lat_rad, lon_rad, h_m;
     double roll_rad, pitch_rad, heading_rad;
-    double speed_mps;
+    double speed_mps, path_angle_rad;
 } schuler_start;
 
 SCHULER_END_C

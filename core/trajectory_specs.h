@@ -18,7 +18,7 @@ typedef struct {
 /* kind segments: a list of the variants below */
 typedef struct {
     schuler_place place;
-    schuler_start start; /* no roll, no pitch */
+    schuler_start start; /* no roll, no pitch; path_angle */
     schuler_variant_list segments;
 } schuler_segments_spec;
 
@@ -40,10 +40,52 @@ typedef struct {
 typedef struct {
     schuler_place place;
     double by_rad, bank_rad, roll_rate_radps;
+    double radius_m, jerk_mps3; /* with a radius (> 0) the turn is flat, and bank is not read */
 } schuler_turn_spec;
 
+typedef struct {
+    schuler_turn_spec turn; /* to one side first */
+    int64_t times;
+} schuler_s_turn_spec;
+
+typedef struct {
+    schuler_place place;
+    double turns, radius_m, roll_rate_radps;
+} schuler_orbit_spec;
+
+typedef struct {
+    schuler_place place;
+    double to_rad, at_mps2, jerk_mps3;
+} schuler_pull_spec;
+
+typedef struct {
+    schuler_place place;
+    double by_rad, at_mps2, jerk_mps3;
+} schuler_loop_spec;
+
+typedef struct {
+    schuler_place place;
+    double by_rad, rate_radps, acceleration_radps2;
+} schuler_body_turn_spec; /* yaw, pitch, roll */
+
+typedef struct {
+    schuler_place place;
+    int64_t times;
+    double speed_mps, at_mps2, jerk_mps3, drive_s, stop_s;
+} schuler_stop_and_go_spec;
+
+/* Control points of what changes, at most 16 each. */
+typedef struct {
+    schuler_place place;
+    double for_s;
+    schuler_quantity_list speed, height, path_angle, turn, yaw, pitch, roll;
+} schuler_polynomial_spec;
+
 extern const schuler_object schuler_segment_hold, schuler_segment_cruise,
-    schuler_segment_accelerate, schuler_segment_climb, schuler_segment_turn;
+    schuler_segment_accelerate, schuler_segment_climb, schuler_segment_turn, schuler_segment_s_turn,
+    schuler_segment_orbit, schuler_segment_pull, schuler_segment_loop, schuler_segment_yaw,
+    schuler_segment_pitch, schuler_segment_roll, schuler_segment_stop_and_go,
+    schuler_segment_polynomial;
 
 /* kind motion: one of the motions below; a place without file is not given */
 typedef struct {

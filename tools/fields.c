@@ -3,6 +3,7 @@
 #include "core/earth.h"
 #include "tools/page.h"
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Powers of the base units, numerator or denominator; halves as they are. Returns how many. */
@@ -107,22 +108,36 @@ void fields_default(FILE *out, double def, schuler_dim dim)
     put_unit(out, dim);
 }
 
-static void put_number(FILE *out, const schuler_field *f, int indent)
+static void describe_number(FILE *out, const schuler_field *f)
 {
-    fprintf(out, "%*s", indent, "");
     if (f->kind == SCHULER_FIELD_INTEGER)
         fputs("whole number", out);
     else if (f->kind == SCHULER_FIELD_NUMBER)
         fputs("number", out);
     else
         fields_unit(out, f->dim);
-    if (f->components > 1) fprintf(out, ", %d components", f->components);
+    if (f->kind == SCHULER_FIELD_QUANTITIES)
+        fprintf(out, ", 1 to %d values", f->components);
+    else if (f->components > 1)
+        fprintf(out, ", %d components", f->components);
     fields_range(out, f->min, f->max, f->dim);
     if (f->required)
         fputs("; required", out);
-    else if (f->kind != SCHULER_FIELD_VALUE)
+    else if (f->kind != SCHULER_FIELD_VALUE && f->kind != SCHULER_FIELD_QUANTITIES)
         fields_default(out, f->def, f->dim);
-    fputc('\n', out);
+}
+
+static void put_number(FILE *out, const schuler_field *f, int indent)
+{
+    char *text = NULL;
+    size_t length;
+    FILE *const line = open_memstream(&text, &length);
+    if (line) {
+        describe_number(line, f);
+        fclose(line);
+        fields_doc(out, indent, text);
+    }
+    free(text);
 }
 
 static void put_variants(FILE *out, const schuler_field *f, int indent)
@@ -142,6 +157,7 @@ static void put_field(FILE *out, const schuler_field *f, int indent)
     fields_doc(out, inner, f->doc);
     switch (f->kind) {
     case SCHULER_FIELD_QUANTITY:
+    case SCHULER_FIELD_QUANTITIES:
     case SCHULER_FIELD_NUMBER:
     case SCHULER_FIELD_INTEGER:
     case SCHULER_FIELD_VALUE:

@@ -194,7 +194,9 @@ static void what_cannot_be_flown_is_refused_with_its_place(void **state)
 {
     (void)state;
     const schuler_place here = { "flight.yaml", 7, 3, 4 };
-    schuler_turn_spec turn = { here, 1.0, 0.4, 0.1 };
+    schuler_turn_spec turn = {
+        .place = here, .by_rad = 1.0, .bank_rad = 0.4, .roll_rate_radps = 0.1
+    };
     schuler_climb_spec climb = { here, 5000.0, 10.0, 1.0 };
     schuler_hold_spec north = { here, 20.0 * 3600.0 }, ages = { here, 3.5e6 };
     schuler_accelerate_spec none = { here, 0.0, 1.0, 1.0 };

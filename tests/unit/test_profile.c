@@ -152,6 +152,40 @@ static void joints_are_ascending_and_distinct(void **state)
     assert_int_equal(schuler_phase_joints(&nothing, joints_s), 1);
 }
 
+/* One point: the quintic smoothstep. More: the polynomial's derivative is what differences of it say. */
+static void a_curve_starts_and_ends_smoothly(void **state)
+{
+    (void)state;
+    const schuler_channel one = { .from = 3.0,
+                                  .curve = { .count = 1, .to = { 8.0 }, .duration_s = 4.0 } };
+    for (int k = 0; k <= 8; k++) {
+        const double x = k / 8.0, step = x * x * x * (10.0 - x * (15.0 - 6.0 * x));
+        const schuler_instant t = { 0.0, 4.0 * x };
+        CHECK_NEAR((double)schuler_channel_value(&one, t), 3.0 + 5.0 * step, 2e-15);
+        CHECK_NEAR((double)schuler_channel_rate(&one, t),
+                   5.0 * 30.0 * x * x * (1.0 - x) * (1.0 - x) / 4.0, 2e-15);
+    }
+    assert_true(schuler_channel_end(&one) == 8.0);
+    const schuler_channel many = {
+        .from = -1.0, .curve = { .count = 4, .to = { 9.0, -7.0, 0.5, 2.0 }, .duration_s = 6.0 }
+    };
+    const long double h = 1e-5L;
+    for (int k = 0; k <= 12; k++) {
+        const schuler_instant t = { 0.0, 0.5L * k }, before = { 0.0, 0.5L * k - h },
+                              after = { 0.0, 0.5L * k + h };
+        if (k == 0 || k == 12) {
+            CHECK_NEAR((double)schuler_channel_rate(&many, t), 0.0, 1e-17);
+            continue;
+        }
+        /* The third derivative is below 1000 in size: a sixth of it times h^2. */
+        CHECK_NEAR(
+            (double)((schuler_channel_value(&many, after) - schuler_channel_value(&many, before)) /
+                     (2.0L * h)),
+            (double)schuler_channel_rate(&many, t), 2e-8);
+    }
+    assert_true((double)schuler_channel_value(&many, (schuler_instant){ 6.0, 1.0L }) == 2.0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -164,6 +198,7 @@ int main(void)
         cmocka_unit_test(the_parts_of_a_trapezoid_add_up),
         cmocka_unit_test(durations_are_whole_ticks),
         cmocka_unit_test(joints_are_ascending_and_distinct),
+        cmocka_unit_test(a_curve_starts_and_ends_smoothly),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

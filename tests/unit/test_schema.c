@@ -25,6 +25,7 @@ typedef struct {
     hold inner;
     schuler_list waits;
     schuler_variant_list moves;
+    schuler_quantity_list speeds;
     schuler_text_list words;
     const schuler_node *rest;
 } thing;
@@ -106,6 +107,13 @@ static const schuler_field thing_fields[] = {
       .kind = SCHULER_FIELD_VARIANTS,
       .offset = offsetof(thing, moves),
       .variants = moves },
+    { .key = "speeds",
+      .kind = SCHULER_FIELD_QUANTITIES,
+      .offset = offsetof(thing, speeds),
+      .components = 3,
+      .dim = SCHULER_DIM_SPEED,
+      .max = 100.0,
+      .example = "5 m/s" },
     { .key = "words", .kind = SCHULER_FIELD_TEXTS, .offset = offsetof(thing, words) },
     { .key = "rest", .kind = SCHULER_FIELD_NODE, .offset = offsetof(thing, rest) },
     { .key = NULL },
@@ -141,11 +149,11 @@ static void every_kind_of_field_is_read(void **state)
 {
     (void)state;
     reading r;
-    read_thing(&r,
-               "depth: 0.2 km\nratio: 5e-1\ncount: 9\ntitle: a b\nmode: fast\n"
-               "bias: {normal: 1 mg}\ntilt: [1 mrad, 2 mrad]\ninner: {for: 1 h}\n"
-               "waits: [{for: 1 s}, {for: 2 s}]\n"
-               "moves:\n  - hold: {for: 3 s}\n  - turn: {by: 1 rad}\nwords: one\nrest: {x: y}\n");
+    read_thing(&r, "depth: 0.2 km\nratio: 5e-1\ncount: 9\ntitle: a b\nmode: fast\n"
+                   "bias: {normal: 1 mg}\ntilt: [1 mrad, 2 mrad]\ninner: {for: 1 h}\n"
+                   "waits: [{for: 1 s}, {for: 2 s}]\n"
+                   "moves:\n  - hold: {for: 3 s}\n  - turn: {by: 1 rad}\nwords: one\nspeeds: [1 "
+                   "m/s, 36 km/h]\nrest: {x: y}\n");
     if (r.rc != SCHULER_OK) fail_msg("%s", r.d.items[0].message);
     CHECK_NEAR(r.spec.depth_m, 200.0, 0.0);
     CHECK_NEAR(r.spec.ratio, 0.5, 0.0);
@@ -164,6 +172,9 @@ static void every_kind_of_field_is_read(void **state)
     CHECK_NEAR(((turn *)r.spec.moves.items[1].spec)->by_rad, 1.0, 0.0);
     assert_int_equal(((turn *)r.spec.moves.items[1].spec)->place.line, 12);
     assert_int_equal(((turn *)r.spec.moves.items[1].spec)->place.column, 5);
+    assert_int_equal(r.spec.speeds.count, 2);
+    CHECK_NEAR(r.spec.speeds.items[0], 1.0, 0.0);
+    CHECK_NEAR(r.spec.speeds.items[1], 10.0, 1e-15);
     assert_int_equal(r.spec.words.count, 1);
     assert_string_equal(r.spec.words.items[0], "one");
     assert_int_equal(r.spec.words.places[0].line, 13);
@@ -203,7 +214,7 @@ static void each_mistake_has_its_message_and_place(void **state)
         { "deph: 1 m\n", 1, 1, 4, "unknown key 'deph'; did you mean 'depth'?" },
         { "depth: 1 m\nzzzzzzzzz: 1\n", 2, 1, 9,
           "unknown key 'zzzzzzzzz'; known: depth, ratio, count, title, mode, bias, tilt, inner, "
-          "waits, moves, words, rest" },
+          "waits, moves, speeds, words, rest" },
         { "depth: 1 m\ninner: {fro: 1 s}\n", 2, 9, 3,
           "unknown key 'fro' in 'inner'; did you mean 'for'?" },
         { "depth: 1 m\ninner: {}\n", 2, 1, 5, "'inner' needs the key 'for', for example: 10 min" },
@@ -249,6 +260,10 @@ static void each_mistake_has_its_message_and_place(void **state)
           "moves[0]: a map with one key, such as 'hold: {...}', is expected, found a map" },
         { "depth: 1 m\nmoves: [hold]\n", 2, 9, 4,
           "moves[0]: a map with one key, such as 'hold: {...}', is expected, found 'hold'" },
+        { "depth: 1 m\nspeeds: [1 m/s, 2 m/s, 3 m/s, 4 m/s]\n", 2, 9, 1,
+          "speeds: a list of 1 to 3 values is expected, found a list" },
+        { "depth: 1 m\nspeeds: [1 m/s, 200 m/s]\n", 2, 17, 7,
+          "speeds: 200 m/s is out of range; allowed: 0 to 100 m/s" },
         { "depth: 1 m\nwords: [a, [b]]\n", 2, 12, 1,
           "words: a word or a list of words is expected, found a list" },
         { "just text\n", 1, 1, 9, "a map of keys is expected, found 'just text'" },
