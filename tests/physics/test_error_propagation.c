@@ -142,6 +142,51 @@ static void single_errors_move_as_the_reference_says(void **state)
     }
 }
 
+/* E12: the same, each started from the tilt and heading that it would have given a self-alignment (the
+ * reference's D10): a level accelerometer's bias tilts by b/g, that of the east one turns the heading too,
+ * the east gyro turns it by b/(W cos L). What is level to its own bias does not swing, and east errors
+ * are gone to the second order. The signs are those of phi: tilt about north and east, heading less -phi_D. */
+static void an_error_that_aligned_itself_moves_as_the_reference_says(void **state)
+{
+    (void)state;
+    const struct {
+        const char *accel, *gyro, *initial;
+        double expected_m[2][2], size_m;
+    } rows[] = {
+        { "bias: [50 ug, 0 ug, 0 ug]",
+          "bias: 0 deg/h",
+          "tilt: [0 urad, -50.0023058408226 urad]",
+          { { 13.276196376, -71.0298119099 }, { 167.404349921, -203.466735505 } },
+          400.0 },
+        { "bias: [0 ug, 50 ug, 0 ug]",
+          "bias: 0 deg/h",
+          "tilt: [50.0023058408226 urad, 0 urad], heading: 50.0023058408226 urad",
+          { { 0.0, 0.0 }, { 0.0, 0.0 } },
+          400.0 },
+        { "bias: 0 ug",
+          "bias: [0.01 deg/h, 0 deg/h, 0 deg/h]",
+          "",
+          { { -160.046716573, 1344.27527409 }, { -1650.16940984, 4224.59097452 } },
+          4500.0 },
+        { "bias: 0 ug",
+          "bias: [0 deg/h, 0.01 deg/h, 0 deg/h]",
+          "heading: -940.234874311679 urad",
+          { { 0.0, 0.0 }, { 0.0, 0.0 } },
+          4200.0 },
+    };
+    for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+        schuler_scenario *s = at_rest(1, "4 h", rows[i].accel, rows[i].gyro, rows[i].initial);
+        mission_trace t = mission_errors(s, "all");
+        for (int k = 0; k < 2; k++) {
+            const schuler_error_row *const at = &t.rows[k == 0 ? 1 : 4];
+            for (int axis = 0; axis < 2; axis++)
+                CHECK_NEAR(at->r_n[axis], rows[i].expected_m[k][axis], 1e-3 * rows[i].size_m);
+        }
+        free(t.rows);
+        schuler_scenario_free(s);
+    }
+}
+
 /* A navigator that believes to be 1 km away is level there: it shows no attitude error and stays
  * (reference section 3). Only the earth's rate of the wrong latitude turns it, W sin(L) 1 km/R =
  * 8e-9 rad/s, which in 300 s moves it by R e w^2 t^3/6 = 0.4 m. Its constant error is no drift. */
@@ -330,6 +375,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(single_errors_move_as_the_reference_says),
+        cmocka_unit_test(an_error_that_aligned_itself_moves_as_the_reference_says),
         cmocka_unit_test(an_initial_position_error_stays),
         cmocka_unit_test(on_the_equator_the_north_channel_is_a_schuler_pendulum),
         cmocka_unit_test(the_held_vertical_channel_stays),
