@@ -30,8 +30,8 @@ static void every_gallery_mission_closes(void **state)
         double bound_m;
     } missions[] = {
         { "static", 1e-6 }, /* increments are exact: only rounding                      */
-        { "manoeuvres", 1e-4 }, { "atlantic", 2e-4 }, { "tactical", 1e-4 },
-        { "city", 1e-4 },       { "launch", 1e-4 },   { "fighter", 1e-4 },
+        { "manoeuvres", 1e-4 }, { "atlantic", 2e-4 }, { "tactical", 1e-4 }, { "city", 1e-4 },
+        { "launch", 1e-4 },     { "fighter", 1e-4 },  { "polar", 1e-4 },    { "sculling", 1e-4 },
     };
     for (size_t i = 0; i < sizeof(missions) / sizeof(missions[0]); i++) {
         schuler_scenario *s = mission_gallery(missions[i].name, NULL);
