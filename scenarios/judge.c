@@ -1,29 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-#include "core/random.h"
+#include "scenarios/bootstrap.h"
 #include "scenarios/metrics.h"
 #include <math.h>
 #include <stdlib.h>
 
-enum { RESAMPLES = 2000 };
-
-/* The interval is a property of the runs, so its luck must not depend on the scenario's seed. */
-static const uint64_t BOOTSTRAP_SEED = 0x626f6f7473747261u;
-
-/* Rms of one resample of the runs, drawn with replacement. One block of the generator gives four
- * numbers of 32 bits; scaling them to n < 2^17 runs favours none by more than 2^-15. */
-static double resampled_rms(const double *squares, int n, uint64_t resample)
+/* Rms of one resample of the runs. */
+static double resampled_rms(const double *squares, int n, uint64_t resample, int *run)
 {
-    const uint64_t key[2] = { BOOTSTRAP_SEED, resample };
     double sum = 0.0;
-    for (int i = 0; i < n; i += 4) {
-        const uint64_t counter[2] = { (uint64_t)i, 0 };
-        uint64_t word[2];
-        schuler_threefry2x64(counter, key, word);
-        for (int j = 0; j < 4 && i + j < n; j++) {
-            const uint64_t bits = (word[j / 2] >> (32 * (j % 2))) & 0xffffffffu;
-            sum += squares[(bits * (uint64_t)n) >> 32];
-        }
-    }
+    schuler_resample(n, resample, run);
+    for (int i = 0; i < n; i++) sum += squares[run[i]];
     return sqrt(sum / n);
 }
 
@@ -31,14 +17,21 @@ static schuler_status rms_bounds(const schuler_budget_row *all, schuler_judgemen
 {
     const int n = all->runs;
     const double tail = 0.5 * (1.0 - out->confidence);
-    double *squares = malloc(((size_t)n + 2 * RESAMPLES) * sizeof(*squares));
-    if (!squares) return SCHULER_ERR_MEMORY;
-    double *resampled = squares + n, *scratch = resampled + RESAMPLES;
+    double *squares = malloc(((size_t)n + 2 * SCHULER_RESAMPLES) * sizeof(*squares));
+    int *run = malloc((size_t)n * sizeof(*run));
+    if (!squares || !run) {
+        free(squares);
+        free(run);
+        return SCHULER_ERR_MEMORY;
+    }
+    double *resampled = squares + n, *scratch = resampled + SCHULER_RESAMPLES;
     for (int i = 0; i < n; i++) squares[i] = all->slope_mps[i] * all->slope_mps[i];
-    for (int k = 0; k < RESAMPLES; k++) resampled[k] = resampled_rms(squares, n, (uint64_t)k);
-    out->lower_mps = schuler_percentile(resampled, RESAMPLES, tail, scratch);
-    out->upper_mps = schuler_percentile(resampled, RESAMPLES, 1.0 - tail, scratch);
+    for (int k = 0; k < SCHULER_RESAMPLES; k++)
+        resampled[k] = resampled_rms(squares, n, (uint64_t)k, run);
+    out->lower_mps = schuler_percentile(resampled, SCHULER_RESAMPLES, tail, scratch);
+    out->upper_mps = schuler_percentile(resampled, SCHULER_RESAMPLES, 1.0 - tail, scratch);
     free(squares);
+    free(run);
     return SCHULER_OK;
 }
 

@@ -18,6 +18,7 @@ const char *argp_program_version = "schuler " SCHULER_VERSION;
 
 static const verb verbs[] = {
     { "run", "simulate a scenario: error budget per source, drift, verdict", verb_run },
+    { "compare", "several IMUs on one mission: ranking, ratios, budgets", verb_compare },
     { "check", "validate scenario files; every mistake with its place", verb_check },
     { "sensors", "the catalog of real parts: list, show NAME", verb_sensors },
     { "models", "sensor models, trajectories, frames, gravity: list, show NAME", verb_models },

@@ -53,7 +53,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     if ((key == KEY_JSON || key == 'o') && !*arg) argp_error(state, "an empty file name");
     switch (key) {
     case KEY_IMU:
-        a->overrides.imu = arg;
+        if (a->count_imus == SIMULATION_SET_MAX)
+            argp_error(state, "--imu: more than %d of them", SIMULATION_SET_MAX);
+        a->overrides.imu = a->imus[a->count_imus++] = arg;
         return 0;
     case KEY_RUNS:
         a->overrides.has_runs = 1;

@@ -18,6 +18,8 @@ typedef struct {
     schuler_isa isa;
     schuler_overrides overrides;
     const char *set[SIMULATION_SET_MAX];
+    const char *imus[SIMULATION_SET_MAX]; /* every --imu; the last is the override's */
+    size_t count_imus;
     schuler_plugins *plugins;              /* freed by the verb, last          */
     const char *files[SIMULATION_SET_MAX]; /* of the plug-ins, as given         */
     size_t count_files;

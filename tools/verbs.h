@@ -20,6 +20,7 @@ typedef struct {
 } verb;
 
 exit_code verb_run(int argc, char **argv);
+exit_code verb_compare(int argc, char **argv);
 exit_code verb_check(int argc, char **argv);
 exit_code verb_sensors(int argc, char **argv);
 exit_code verb_models(int argc, char **argv);
