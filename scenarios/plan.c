@@ -1,6 +1,29 @@
 /* SPDX-License-Identifier: MIT */
 #include "scenarios/plan.h"
+#include <math.h>
 #include <stdlib.h>
+
+schuler_status schuler_plan_times(simulation_plan *p, schuler_error *err)
+{
+    const schuler_scenario *const s = p->scenario;
+    const int per_update = s->samples_per_update;
+    p->steps = schuler_truth_steps(p->truth) / per_update * per_update;
+    if (p->steps < 1)
+        return schuler_fail(err, SCHULER_ERR_INPUT, NULL,
+                            "the trajectory lasts %.6g s: less than one navigation update",
+                            s->path.duration_s);
+    const double updates = s->report_s * s->imu.rate_hz / per_update;
+    p->report_steps = updates < 1.0 ? per_update : (int64_t)llround(updates) * per_update;
+    p->reports = (size_t)((p->steps + p->report_steps - 1) / p->report_steps);
+    return SCHULER_OK;
+}
+
+int schuler_hold_interval(const simulation_plan *p)
+{
+    const int update = p->scenario->samples_per_update;
+    const int samples = (int)(0.32 * p->scenario->imu.rate_hz) / update * update;
+    return samples < update ? update : samples > SCHULER_BLOCK ? SCHULER_BLOCK : samples;
+}
 
 bool schuler_plan_row_drawn(const simulation_plan *p, int row)
 {

@@ -40,6 +40,14 @@ typedef struct {
     size_t chunk_count, batch_count;
 } simulation_plan;
 
+/** Steps and report times of a plan whose scenario and truth are set.
+ *  Errors  SCHULER_ERR_INPUT: shorter than one navigation update */
+schuler_status schuler_plan_times(simulation_plan *plan, schuler_error *err);
+
+/** Samples between two holds of the vertical channel, beside those at reports and ends of blocks: whatever the
+ *  rate, in a third of a second 1 mg makes half a millimetre. */
+int schuler_hold_interval(const simulation_plan *plan);
+
 /** Cut the work. rows_wanted: error rows will be kept for each lane of a batch, so batches must
  *  stay small.
  *  Errors  SCHULER_ERR_MEMORY */

@@ -162,20 +162,6 @@ static void run_threads(gathering *g, int threads)
     for (int i = 0; i < started; i++) pthread_join(others[i], NULL);
 }
 
-static schuler_status plan_times(simulation_plan *p, const schuler_scenario *s, schuler_error *err)
-{
-    const int per_update = s->samples_per_update;
-    p->steps = schuler_truth_steps(p->truth) / per_update * per_update;
-    if (p->steps < 1)
-        return schuler_fail(err, SCHULER_ERR_INPUT, NULL,
-                            "the trajectory lasts %.6g s: less than one navigation update",
-                            s->path.duration_s);
-    const double updates = s->report_s * s->imu.rate_hz / per_update;
-    p->report_steps = updates < 1.0 ? per_update : (int64_t)llround(updates) * per_update;
-    p->reports = (size_t)((p->steps + p->report_steps - 1) / p->report_steps);
-    return SCHULER_OK;
-}
-
 schuler_status schuler_simulate(const schuler_scenario *scenario,
                                 const schuler_run_options *options, schuler_result **out,
                                 schuler_error *err)
@@ -197,7 +183,7 @@ schuler_status schuler_simulate(const schuler_scenario *scenario,
     pthread_cond_init(&g.turn_changed, NULL);
     plan.count = schuler_sources_list(scenario, plan.sources);
     for (int i = 0; i < plan.count; i++) plan.drawn |= plan.sources[i].drawn;
-    status = plan_times(&plan, scenario, err);
+    status = schuler_plan_times(&plan, err);
     if (status == SCHULER_OK) status = schuler_align_plan(&plan, &align_truth, err);
     if (status != SCHULER_OK) goto done;
     status = schuler_plan_make(&plan, threads, options->errors != NULL);

@@ -85,15 +85,6 @@ static schuler_status compare_group(const lane_batch_state *b, int g, const bloc
     return SCHULER_OK;
 }
 
-/* The vertical channel is held at every report and at least so often, whatever the rate: in a third of a second 1 mg
- * makes half a millimetre. */
-static int hold_interval(const simulation_plan *p)
-{
-    const int update = p->scenario->samples_per_update;
-    const int samples = (int)(0.32 * p->scenario->imu.rate_hz) / update * update;
-    return samples < update ? update : samples > SCHULER_BLOCK ? SCHULER_BLOCK : samples;
-}
-
 /* The events within samples first+1 .. first+n; out has room for SCHULER_BLOCK of them. */
 static int events_in(const simulation_plan *p, int64_t first, int n, block_event *out)
 {
@@ -101,7 +92,7 @@ static int events_in(const simulation_plan *p, int64_t first, int n, block_event
     const bool holding = s->vertical == SCHULER_VERTICAL_TRUTH,
                has_baro = s->vertical == SCHULER_VERTICAL_BARO;
     const int interval = has_baro ? schuler_vertical_interval(s->imu.rate_hz, s->samples_per_update)
-                                  : hold_interval(p);
+                                  : schuler_hold_interval(p);
     int count = 0;
     for (int cut = 1; cut <= n; cut++) {
         const int64_t step = first + cut;

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: MIT */
+#include "scenarios/covariance_parts.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    LANES_MAX = 8,
+    STATE_ALIGN = 64,
+};
+
+typedef struct {
+    schuler_chain *chain;
+    int count;    /* lanes */
+    int *vector;  /* of each */
+    char *states; /* of each vector of lanes */
+    size_t state_size;
+} triad_bench;
+
+struct sensor_bench {
+    const simulation_plan *plan;
+    int width;
+    triad_bench triad[SCHULER_INSTRUMENTS];
+    schuler_truth_nodes *nodes; /* NULL when not needed */
+    double *measured;           /* [axis][step][lane] */
+};
+
+static schuler_status make_triad(sensor_bench *b, schuler_instrument instrument,
+                                 const sensor_lane *lanes, int count, schuler_error *err)
+{
+    const simulation_plan *const p = b->plan;
+    triad_bench *const t = &b->triad[instrument];
+    for (int i = 0; i < count; i++) t->count += lanes[i].instrument == instrument;
+    if (t->count == 0) return SCHULER_OK;
+    chain_parts parts;
+    const schuler_chain_setup setup =
+        schuler_chain_setup_of(&p->scenario->imu, instrument, p->isa, schuler_truth_dt(p->truth),
+                               p->scenario->seed, &parts);
+    const schuler_status status = schuler_chain_create(&t->chain, &setup, err);
+    if (status != SCHULER_OK) return status;
+    const int groups = (t->count + b->width - 1) / b->width;
+    t->state_size = schuler_chain_state_size(t->chain);
+    t->vector = calloc((size_t)groups * (size_t)b->width, sizeof *t->vector);
+    t->states = aligned_alloc(STATE_ALIGN, t->state_size * (size_t)groups);
+    if (!b->nodes && schuler_chain_needs_nodes(t->chain)) b->nodes = calloc(1, sizeof *b->nodes);
+    if (!t->vector || !t->states || (schuler_chain_needs_nodes(t->chain) && !b->nodes))
+        return schuler_fail(err, SCHULER_ERR_MEMORY, NULL, "out of memory");
+    int at = 0, last = 0;
+    schuler_lane_spec specs[LANES_MAX];
+    for (int g = 0; g < groups; g++) {
+        for (int k = 0; k < b->width; k++) {
+            while (at < count && lanes[at].instrument != instrument) at++;
+            if (at < count)
+                last = at++; /* places beyond the last lane repeat it, and are not looked at */
+            specs[k] = lanes[last].spec;
+            t->vector[g * b->width + k] = lanes[last].vector;
+        }
+        schuler_chain_start(t->chain, t->states + t->state_size * (size_t)g, specs);
+    }
+    return SCHULER_OK;
+}
+
+schuler_status sensor_bench_create(sensor_bench **out, const simulation_plan *plan,
+                                   const sensor_lane *lanes, int count, schuler_error *err)
+{
+    sensor_bench *const b = calloc(1, sizeof *b);
+    schuler_status status = SCHULER_ERR_MEMORY;
+    if (b) {
+        b->plan = plan;
+        b->width = schuler_isa_lanes(plan->isa);
+        b->measured = aligned_alloc(STATE_ALIGN, 3 * SCHULER_BLOCK * LANES_MAX * sizeof(double));
+        status = b->measured ? SCHULER_OK : SCHULER_ERR_MEMORY;
+        if (!b->measured) schuler_fail(err, status, NULL, "out of memory");
+        for (int i = 0; i < SCHULER_INSTRUMENTS && status == SCHULER_OK; i++)
+            status = make_triad(b, (schuler_instrument)i, lanes, count, err);
+    }
+    if (status != SCHULER_OK) {
+        sensor_bench_free(b);
+        return status;
+    }
+    *out = b;
+    return SCHULER_OK;
+}
+
+void sensor_bench_free(sensor_bench *b)
+{
+    if (!b) return;
+    for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
+        schuler_chain_free(b->triad[i].chain);
+        free(b->triad[i].vector);
+        free(b->triad[i].states);
+    }
+    free(b->nodes);
+    free(b->measured);
+    free(b);
+}
+
+/* Sum of the errors of some steps, turned into ECEF. */
+static void add_errors(const sensor_bench *b, schuler_instrument instrument, int group,
+                       const double *own, int from, int n, const schuler_mat3 *C_b_e,
+                       error_vector *vectors)
+{
+    const triad_bench *const t = &b->triad[instrument];
+    const int input = instrument == SCHULER_ACCEL ? LINEAR_DV : LINEAR_PSI;
+    const double sign = instrument == SCHULER_ACCEL ? 1.0 : -1.0;
+    for (int k = 0; k < b->width && group * b->width + k < t->count; k++) {
+        schuler_vec3 sum = { { 0 } };
+        for (int axis = 0; axis < 3; axis++)
+            for (int i = from; i < from + n; i++)
+                sum.v[axis] += b->measured[(axis * SCHULER_BLOCK + i) * b->width + k] -
+                               own[axis * SCHULER_BLOCK + i];
+        const schuler_vec3 sum_e = schuler_mat3_apply(C_b_e, sum);
+        double *const u = vectors[t->vector[group * b->width + k]].u;
+        for (int axis = 0; axis < 3; axis++) u[input + axis] += sign * sum_e.v[axis];
+    }
+}
+
+void sensor_bench_take(sensor_bench *b, const schuler_truth_block *truth, const schuler_mat3 *C_b_e,
+                       error_vector *vectors)
+{
+    const simulation_plan *const p = b->plan;
+    if (b->nodes) schuler_truth_nodes_compute(p->truth, p->isa, truth->first, truth->n, b->nodes);
+    for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
+        const triad_bench *const t = &b->triad[i];
+        if (t->count == 0) continue;
+        const double *const own =
+            i == SCHULER_ACCEL ? &truth->dv_ib_b[0][0] : &truth->dtheta_ib_b[0][0];
+        schuler_chain_observe(t->chain, truth, b->nodes);
+        for (int g = 0; g * b->width < t->count; g++) {
+            schuler_chain_apply(t->chain, t->states + t->state_size * (size_t)g, b->measured);
+            for (int from = 0; from < truth->n; from += TURNED_TOGETHER) {
+                const int n = truth->n - from < TURNED_TOGETHER ? truth->n - from : TURNED_TOGETHER;
+                add_errors(b, (schuler_instrument)i, g, own, from, n,
+                           &C_b_e[from / TURNED_TOGETHER], vectors);
+            }
+        }
+    }
+}
