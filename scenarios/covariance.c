@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "scenarios/covariance.h"
 #include "scenarios/covariance_parts.h"
-#include "scenarios/start.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,126 +8,6 @@
 
 /* Over so long the truth counts as uniform: what turns or accelerates within it is seen by its mean. */
 static const double stretch_s = 1.0;
-
-typedef struct {
-    simulation_plan plan;
-    schuler_truth *truth;
-    linear_navigator navigator;
-    schuler_covariance *result;
-    error_vector *vectors;
-    sensor_lane *lanes;
-    noise_source *noises;
-    int vector_count, lane_count, noise_count;
-    sensor_bench *bench;
-    double start_h_m;
-} covariance_run;
-
-/* Mean and one sigma of a component over the runs. */
-static void moments(const error_source *s, int component, uint64_t seed, double *mean,
-                    double *sigma)
-{
-    const schuler_value *const v = s->value;
-    *mean = *sigma = 0.0;
-    if (v->per_unit && s->unit >= 0)
-        *mean = schuler_source_draw(s, component, seed, 0);
-    else if (v->draw == SCHULER_DRAW_NORMAL)
-        *sigma = v->a[component];
-    else if (v->draw == SCHULER_DRAW_UNIFORM) {
-        *mean = 0.5 * (v->a[component] + v->b[component]);
-        *sigma = (v->b[component] - v->a[component]) / sqrt(12.0);
-    } else {
-        *mean = v->a[component];
-    }
-}
-
-static error_vector *add_vector(covariance_run *c, int source, bool is_mean)
-{
-    error_vector *const v = &c->vectors[c->vector_count++];
-    *v = (error_vector){ .source = source, .is_mean = is_mean };
-    return v;
-}
-
-/* What a value of a source is to a vector: the start it gives, or the lane that drives it. */
-static void give(covariance_run *c, int source, error_vector *vector, const double *value)
-{
-    const error_source *const s = &c->plan.sources[source];
-    if (s->kind == SOURCE_BARO) return; /* its input is put in stretch by stretch */
-    if (s->kind == SOURCE_SENSOR) {
-        sensor_lane *const lane = &c->lanes[c->lane_count++];
-        lane->vector = (int)(vector - c->vectors);
-        lane->instrument = s->instrument;
-        schuler_lane_spec_start(&c->plan.scenario->imu.triad[s->instrument], 0, &lane->spec);
-        for (int k = 0; k < s->components; k++) lane->spec.value[s->param][k] = value[k];
-        return;
-    }
-    schuler_truth_state truth;
-    schuler_truth_at(c->truth, 0.0, &truth);
-    schuler_vec3 e[3] = { { { 0 } } }; /* dr, dv, phi */
-    if (s->kind == SOURCE_POSITION) memcpy(e[0].v, value, sizeof e[0].v);
-    if (s->kind == SOURCE_VELOCITY) memcpy(e[1].v, value, sizeof e[1].v);
-    if (s->kind == SOURCE_TILT) memcpy(e[2].v, value, 2 * sizeof(double));
-    if (s->kind == SOURCE_HEADING) e[2].v[2] = -value[0];
-    const schuler_nav_state start = schuler_start_with(&truth, e[0], e[1], e[2]);
-    const schuler_vec3 minus_psi =
-        schuler_quat_to_rotvec(schuler_quat_mul(start.q_b_e, schuler_quat_conj(truth.q_b_e)));
-    for (int i = 0; i < 3; i++) {
-        vector->x[LINEAR_DR + i] = start.r_e.v[i] - truth.r_e.v[i];
-        vector->x[LINEAR_DV + i] = start.v_e.v[i] - truth.v_e.v[i];
-        vector->x[LINEAR_PSI + i] = -minus_psi.v[i];
-    }
-}
-
-/* Vectors of a source: its mean, and a sigma of each component. Returned: why not. */
-static const char *add_vectors(covariance_run *c, int source)
-{
-    const error_source *const s = &c->plan.sources[source];
-    const uint64_t seed = c->plan.scenario->seed;
-    double mean[SCHULER_COMPONENTS_MAX] = { 0 }, sigma[SCHULER_COMPONENTS_MAX] = { 0 };
-    bool has_mean = false, is_drawn = false;
-    for (int k = 0; k < s->components; k++) {
-        moments(s, k, seed, &mean[k], &sigma[k]);
-        has_mean |= mean[k] != 0.0;
-        is_drawn |= sigma[k] != 0.0;
-    }
-    if (s->kind == SOURCE_SENSOR && is_drawn) {
-        const schuler_acts acts = c->plan.scenario->imu.triad[s->instrument].params[s->param].acts;
-        if (acts == SCHULER_ACTS_RESPONSE || acts == SCHULER_ACTS_COUNTS)
-            return "it is not linear in its value";
-    }
-    if (has_mean) give(c, source, add_vector(c, source, true), mean);
-    for (int k = 0; k < s->components; k++) {
-        if (sigma[k] == 0.0) continue;
-        double one[SCHULER_COMPONENTS_MAX] = { 0 };
-        one[k] = sigma[k];
-        give(c, source, add_vector(c, source, false), one);
-    }
-    return NULL;
-}
-
-static const char *add_source(covariance_run *c, int source)
-{
-    const error_source *const s = &c->plan.sources[source];
-    if (c->plan.scenario->align.given) return "the start is self-aligned";
-    if (s->kind == SOURCE_GRAVITY) {
-        add_vector(c, source, true);
-        return NULL;
-    }
-    if (s->kind == SOURCE_SENSOR) {
-        const schuler_param *const p = &c->plan.scenario->imu.triad[s->instrument].params[s->param];
-        if (p->acts == SCHULER_ACTS_PERIODIC) return "its phase is drawn";
-        if (p->noisy != 0) {
-            const char *const why = noise_source_of(&c->noises[c->noise_count], &c->plan, source);
-            if (!why) c->noise_count++;
-            return why;
-        }
-    }
-    if (s->kind == SOURCE_BARO &&
-        (s->param == SCHULER_BARO_NOISE || s->param == SCHULER_BARO_GAUSS_MARKOV)) {
-        (void)noise_source_of(&c->noises[c->noise_count++], &c->plan, source);
-        return NULL;
-    }
-    return add_vectors(c, source);
-}
 
 static schuler_status set_up(covariance_run *c, schuler_error *err)
 {
@@ -152,7 +31,7 @@ static schuler_status set_up(covariance_run *c, schuler_error *err)
         c->vectors && c->lanes && c->noises && r && r->rows && r->times_s && r->total.rms_curve_m;
     for (int i = 0; complete && i < c->plan.count; i++) {
         memcpy(r->rows[i].id, c->plan.sources[i].id, sizeof r->rows[i].id);
-        r->rows[i].uncovered = add_source(c, i);
+        r->rows[i].uncovered = covariance_add_source(c, i);
         r->rows[i].rms_curve_m = calloc(r->time_count, sizeof(double));
         complete = r->rows[i].rms_curve_m != NULL;
     }
@@ -176,7 +55,7 @@ static double baro_error_m(const covariance_run *c, const error_vector *v,
 {
     const error_source *const s = &c->plan.sources[v->source];
     double mean, sigma;
-    moments(s, 0, c->plan.scenario->seed, &mean, &sigma);
+    covariance_moments(s, 0, c->plan.scenario->seed, &mean, &sigma);
     const double value = v->is_mean ? mean : sigma;
     const schuler_vec3 up = linear_up(&c->navigator, stretch->r_e);
     switch (s->param) {
@@ -189,31 +68,79 @@ static double baro_error_m(const covariance_run *c, const error_vector *v,
     }
 }
 
+/* What the body turns within samples that are added up counts by its square over 24 when it is steady, and as
+ * it is when the force swings with it (sculling): so only where it hardly turns. */
+static int cut_block(const covariance_run *c, const schuler_truth_block *truth, double end_s,
+                     turned_samples parts[SCHULER_BLOCK])
+{
+    enum { TOGETHER = 8 };
+    const double still_rad = 2e-3;
+    int count = 0;
+    for (int from = 0; from < truth->n; from += TOGETHER) {
+        const int n = truth->n - from < TOGETHER ? truth->n - from : TOGETHER;
+        double turned_rad = 0.0;
+        for (int k = from; k < from + n; k++)
+            for (int i = 0; i < 3; i++) turned_rad += fabs(truth->dtheta_ib_b[i][k]);
+        const int each = turned_rad < still_rad ? n : 1;
+        for (int k = from; k < from + n; k += each) {
+            const double middle_s = ((double)(truth->first + k) + 0.5 * each) * truth->dt_s;
+            const schuler_quat q_b_e = schuler_path_at(&c->plan.scenario->path, middle_s).q_b_e;
+            parts[count++] =
+                (turned_samples){ k, each, schuler_mat3_from_quat(q_b_e), end_s - middle_s };
+        }
+    }
+    return count;
+}
+
 /* One block of the truth: forces, mean attitude, inputs of the vectors. */
-static void take_block(covariance_run *c, int64_t first, int n, schuler_vec3 *dv_e,
+static void take_block(covariance_run *c, int64_t first, int n, double end_s, schuler_vec3 *dv_e,
                        schuler_mat3 *C_sum)
 {
     schuler_truth_block truth;
     schuler_truth_block_compute(c->truth, c->plan.isa, first, n, &truth);
-    schuler_mat3 C_b_e[TURNS_MAX];
-    for (int from = 0; from < n; from += TURNED_TOGETHER) {
-        const int some = n - from < TURNED_TOGETHER ? n - from : TURNED_TOGETHER;
-        const double middle_s = ((double)(first + from) + 0.5 * some) * truth.dt_s;
-        schuler_mat3 *const C = &C_b_e[from / TURNED_TOGETHER];
-        *C = schuler_mat3_from_quat(schuler_path_at(&c->plan.scenario->path, middle_s).q_b_e);
+    turned_samples parts[SCHULER_BLOCK];
+    const int count = cut_block(c, &truth, end_s, parts);
+    for (int p = 0; p < count; p++) {
+        const schuler_mat3 *const C = &parts[p].C_b_e;
         schuler_vec3 dv_b = { { 0 } };
-        for (int k = from; k < from + some; k++)
+        for (int k = parts[p].from; k < parts[p].from + parts[p].n; k++)
             for (int i = 0; i < 3; i++) dv_b.v[i] += truth.dv_ib_b[i][k];
         *dv_e = schuler_vec3_add(*dv_e, schuler_mat3_apply(C, dv_b));
-        for (int i = 0; i < 9; i++) C_sum->m[i / 3][i % 3] += some * C->m[i / 3][i % 3];
+        for (int i = 0; i < 9; i++) C_sum->m[i / 3][i % 3] += parts[p].n * C->m[i / 3][i % 3];
     }
-    sensor_bench_take(c->bench, &truth, C_b_e, c->vectors);
+    sensor_bench_take(c->bench, &truth, parts, count, c->vectors);
     if (!truth.has_dg) return;
     for (int v = 0; v < c->vector_count; v++) {
         if (c->plan.sources[c->vectors[v].source].kind != SOURCE_GRAVITY) continue;
         for (int i = 0; i < 3; i++)
-            for (int k = 0; k < n; k++)
-                c->vectors[v].u[LINEAR_DV + i] -= truth.dg_truth_e[i][k] * truth.dt_s;
+            for (int k = 0; k < n; k++) {
+                const double dv_mps = -truth.dg_truth_e[i][k] * truth.dt_s;
+                c->vectors[v].u[LINEAR_DV + i] += dv_mps;
+                c->vectors[v].later[LINEAR_DV + i] +=
+                    dv_mps * (end_s - ((double)(first + k) + 0.5) * truth.dt_s);
+            }
+    }
+}
+
+/* The matrices take an input for constant over the stretch. One that swings may have no integral and yet leave
+ * a velocity's worth of position behind, and an angle's of velocity. */
+static void add_unevenness(const covariance_run *c, const linear_stretch *s, const error_vector *v,
+                           double *x)
+{
+    schuler_vec3 dr_e, psi_s;
+    for (int i = 0; i < 3; i++) {
+        dr_e.v[i] = v->later[LINEAR_DV + i] - 0.5 * s->T_s * v->u[LINEAR_DV + i];
+        psi_s.v[i] = v->later[LINEAR_PSI + i] - 0.5 * s->T_s * v->u[LINEAR_PSI + i];
+    }
+    schuler_vec3 dv_e = schuler_vec3_cross(s->f_e, psi_s);
+    if (c->navigator.vertical == SCHULER_VERTICAL_TRUTH) {
+        const schuler_vec3 up = linear_up(&c->navigator, s->end_r_e);
+        dr_e = schuler_vec3_sub(dr_e, schuler_vec3_scale(schuler_vec3_dot(dr_e, up), up));
+        dv_e = schuler_vec3_sub(dv_e, schuler_vec3_scale(schuler_vec3_dot(dv_e, up), up));
+    }
+    for (int i = 0; i < 3; i++) {
+        x[LINEAR_DR + i] += dr_e.v[i];
+        x[LINEAR_DV + i] += dv_e.v[i];
     }
 }
 
@@ -225,7 +152,8 @@ static void take_stretch(covariance_run *c, int64_t first, int64_t last)
     schuler_vec3 dv_e = { { 0 } };
     schuler_mat3 C_b_e = { { { 0 } } };
     for (int64_t k = first; k < last; k += SCHULER_BLOCK)
-        take_block(c, k, last - k < SCHULER_BLOCK ? (int)(last - k) : SCHULER_BLOCK, &dv_e, &C_b_e);
+        take_block(c, k, last - k < SCHULER_BLOCK ? (int)(last - k) : SCHULER_BLOCK,
+                   (double)last * dt_s, &dv_e, &C_b_e);
     const schuler_motion middle = schuler_path_at(path, 0.5 * (double)(first + last) * dt_s),
                          end = schuler_path_at(path, (double)last * dt_s);
     const double T_s = (double)(last - first) * dt_s;
@@ -248,8 +176,10 @@ static void take_stretch(covariance_run *c, int64_t first, int64_t last)
             for (int j = 0; j < LINEAR_STATES; j++)
                 next[i] += transition.m[i][j] * v->x[j] + drive.m[i][j] * v->u[j];
         }
+        add_unevenness(c, &stretch, v, next);
         memcpy(v->x, next, sizeof next);
         memset(v->u, 0, sizeof v->u);
+        memset(v->later, 0, sizeof v->later);
     }
     for (int q = 0; q < c->noise_count; q++)
         noise_source_step(&c->noises[q], T_s, &C_b_e, &transition, &drive);
@@ -310,13 +240,14 @@ static void report(covariance_run *c, int64_t step, size_t index)
     close_row(&r->total, index);
 }
 
-static void propagate(covariance_run *c)
+static schuler_status propagate(covariance_run *c, const volatile int *stop)
 {
     const simulation_plan *const p = &c->plan;
     const double rate_hz = p->scenario->imu.rate_hz;
     const int64_t longest = (int64_t)fmax(1.0, round(stretch_s * rate_hz));
     size_t index = 0;
     for (int64_t step = 0; step < p->steps;) {
+        if (stop && *stop) return SCHULER_ERR_INTERRUPTED;
         const int64_t next_report = (step / p->report_steps + 1) * p->report_steps;
         int64_t end = next_report < p->steps ? next_report : p->steps;
         /* equal parts, so that no sliver is left before a report */
@@ -326,10 +257,12 @@ static void propagate(covariance_run *c)
         step = last;
         if (step == end) report(c, step, index++);
     }
+    return SCHULER_OK;
 }
 
 schuler_status schuler_covariance_run(const schuler_scenario *scenario, schuler_isa isa,
-                                      schuler_covariance **out, schuler_error *err)
+                                      const volatile int *stop, schuler_covariance **out,
+                                      schuler_error *err)
 {
     covariance_run c = { .plan = { .scenario = scenario, .isa = isa } };
     schuler_status status =
@@ -340,12 +273,11 @@ schuler_status schuler_covariance_run(const schuler_scenario *scenario, schuler_
     c.plan.count = schuler_sources_list(scenario, c.plan.sources);
     status = schuler_plan_times(&c.plan, err);
     if (status == SCHULER_OK) status = set_up(&c, err);
-    if (status == SCHULER_OK) {
-        propagate(&c);
+    if (status == SCHULER_OK) status = propagate(&c, stop);
+    if (status == SCHULER_OK)
         *out = c.result;
-    } else {
+    else
         schuler_covariance_free(c.result);
-    }
     sensor_bench_free(c.bench);
     free(c.vectors);
     free(c.lanes);
@@ -362,15 +294,4 @@ void schuler_covariance_free(schuler_covariance *c)
     free(c->times_s);
     free(c->total.rms_curve_m);
     free(c);
-}
-
-/* Of r^2 = |mean + x|^2 the variance is 2 tr(P^2) + 4 mean' P mean; half of its root, over <r^2>. */
-double schuler_covariance_sampling(const schuler_covariance_row *row, int runs)
-{
-    const double nn = row->P_n_m2[0], ne = row->P_n_m2[1], ee = row->P_n_m2[2];
-    const double n = row->mean_n_m[0], e = row->mean_n_m[1];
-    const double variance = 2.0 * (nn * nn + 2.0 * ne * ne + ee * ee) +
-                            4.0 * (n * n * nn + 2.0 * n * e * ne + e * e * ee);
-    const double mean2 = nn + ee + n * n + e * e;
-    return mean2 > 0.0 && runs > 0 ? 0.5 * sqrt(variance / runs) / mean2 : 0.0;
 }

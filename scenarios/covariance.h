@@ -11,7 +11,7 @@
 #define SCHULER_SCENARIOS_COVARIANCE_H
 
 #include "core/isa.h"
-#include "scenarios/scenario.h"
+#include "scenarios/simulation.h"
 
 SCHULER_BEGIN_C
 
@@ -33,15 +33,35 @@ typedef struct {
     int64_t steps;
 } schuler_covariance;
 
-/** Errors   as schuler_simulate */
+/** Given    stop   becomes non-zero: end with SCHULER_ERR_INTERRUPTED; may be NULL
+ *  Errors   as schuler_simulate */
 SCHULER_API SCHULER_NODISCARD schuler_status
-schuler_covariance_run(const schuler_scenario *scenario, schuler_isa isa, schuler_covariance **out,
-                       schuler_error *err);
+schuler_covariance_run(const schuler_scenario *scenario, schuler_isa isa, const volatile int *stop,
+                       schuler_covariance **out, schuler_error *err);
 SCHULER_API void schuler_covariance_free(schuler_covariance *c); /* NULL is fine */
+
+/** The row of a source; NULL when there is none, or c is NULL. */
+SCHULER_API const schuler_covariance_row *schuler_covariance_find(const schuler_covariance *c,
+                                                                  const char *id);
 
 /** By how much the horizontal rms of `runs` Monte Carlo runs differs from that of a row by chance alone: one
  *  sigma, relative, for normal errors; 0 when nothing is drawn. */
 SCHULER_API double schuler_covariance_sampling(const schuler_covariance_row *row, int runs);
+
+/* Beyond so many sigma of the sampling, and a hundredth, a row is told to differ: of twenty sources that do
+ * agree one is, once in a hundred simulations. */
+#define SCHULER_AGREEMENT_SIGMAS 3.5
+#define SCHULER_AGREEMENT_LEAST  0.01
+
+typedef struct {
+    double relative; /* Monte Carlo over covariance, less 1              */
+    double sigmas;   /* in sampling errors; 0 when nothing is drawn       */
+    bool differs;    /* never with fewer than SCHULER_VERDICT_RUNS_MIN runs of what is drawn */
+} schuler_agreement;
+
+/** A row against the same row of a simulation; all zero when it is not covered. */
+SCHULER_API schuler_agreement schuler_covariance_against(const schuler_covariance_row *row,
+                                                         const schuler_budget_row *simulated);
 
 SCHULER_END_C
 

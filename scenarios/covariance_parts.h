@@ -4,6 +4,7 @@
 #ifndef SCHULER_SCENARIOS_COVARIANCE_PARTS_H
 #define SCHULER_SCENARIOS_COVARIANCE_PARTS_H
 
+#include "scenarios/covariance.h"
 #include "scenarios/lane_spec.h"
 #include "scenarios/linear_error.h"
 #include "scenarios/plan.h"
@@ -15,8 +16,9 @@ typedef struct {
     int source;
     bool is_mean;
     double x[LINEAR_STATES];
-    double u
-        [LINEAR_STATES]; /* integral of its input over the stretch, as linear_stretch_matrices has it */
+    /* Integral of its input over the stretch, as linear_stretch_matrices has it; and of that times what is
+     * left of the stretch: where in it the input came. */
+    double u[LINEAR_STATES], later[LINEAR_STATES];
 } error_vector;
 
 /* ---- Sensors ------------------------------------------------------------------------------------ */
@@ -36,14 +38,17 @@ schuler_status sensor_bench_create(sensor_bench **out, const simulation_plan *pl
                                    const sensor_lane *lanes, int count, schuler_error *err);
 void sensor_bench_free(sensor_bench *bench); /* NULL is fine */
 
-/* Samples whose errors are added in body axes and turned at once: what the body turns in them counts by its
- * square over 24. */
-enum { TURNED_TOGETHER = 8, TURNS_MAX = (SCHULER_BLOCK + TURNED_TOGETHER - 1) / TURNED_TOGETHER };
+/* Samples of a block whose errors are added in body axes and turned at once. */
+typedef struct {
+    int from, n;
+    schuler_mat3 C_b_e; /* in their middle                      */
+    double left_s;      /* from there to the end of the stretch */
+} turned_samples;
 
 /** Steps of a block, in order: add what the sensors' errors are to u of their vectors.
- *  Given   C_b_e   in the middle of each TURNED_TOGETHER of its steps */
+ *  Given   parts   of the block, count of them */
 void sensor_bench_take(sensor_bench *bench, const schuler_truth_block *truth,
-                       const schuler_mat3 *C_b_e, error_vector *vectors);
+                       const turned_samples *parts, int count, error_vector *vectors);
 
 /* ---- Random processes --------------------------------------------------------------------------- */
 
@@ -73,5 +78,28 @@ const char *noise_source_of(noise_source *out, const simulation_plan *plan, int 
 /** Over a stretch. C_b_e: mean over it, column = body axis. */
 void noise_source_step(noise_source *n, double T_s, const schuler_mat3 *C_b_e,
                        const linear_matrix *transition, const linear_matrix *drive);
+
+/* ---- A run of the covariance -------------------------------------------------------------------- */
+
+typedef struct {
+    simulation_plan plan;
+    schuler_truth *truth;
+    linear_navigator navigator;
+    schuler_covariance *result;
+    error_vector *vectors;
+    sensor_lane *lanes;
+    noise_source *noises;
+    int vector_count, lane_count, noise_count;
+    sensor_bench *bench;
+    double start_h_m;
+} covariance_run;
+
+/** Vectors, lanes or processes of a source, added to the run's.
+ *  Returned   NULL, or why it is not covered */
+const char *covariance_add_source(covariance_run *c, int source);
+
+/** Mean and one sigma of a component of a source over the runs. */
+void covariance_moments(const error_source *s, int component, uint64_t seed, double *mean,
+                        double *sigma);
 
 #endif

@@ -96,8 +96,7 @@ void sensor_bench_free(sensor_bench *b)
 
 /* Sum of the errors of some steps, turned into ECEF. */
 static void add_errors(const sensor_bench *b, schuler_instrument instrument, int group,
-                       const double *own, int from, int n, const schuler_mat3 *C_b_e,
-                       error_vector *vectors)
+                       const double *own, const turned_samples *part, error_vector *vectors)
 {
     const triad_bench *const t = &b->triad[instrument];
     const int input = instrument == SCHULER_ACCEL ? LINEAR_DV : LINEAR_PSI;
@@ -105,17 +104,20 @@ static void add_errors(const sensor_bench *b, schuler_instrument instrument, int
     for (int k = 0; k < b->width && group * b->width + k < t->count; k++) {
         schuler_vec3 sum = { { 0 } };
         for (int axis = 0; axis < 3; axis++)
-            for (int i = from; i < from + n; i++)
+            for (int i = part->from; i < part->from + part->n; i++)
                 sum.v[axis] += b->measured[(axis * SCHULER_BLOCK + i) * b->width + k] -
                                own[axis * SCHULER_BLOCK + i];
-        const schuler_vec3 sum_e = schuler_mat3_apply(C_b_e, sum);
-        double *const u = vectors[t->vector[group * b->width + k]].u;
-        for (int axis = 0; axis < 3; axis++) u[input + axis] += sign * sum_e.v[axis];
+        const schuler_vec3 sum_e = schuler_mat3_apply(&part->C_b_e, sum);
+        error_vector *const v = &vectors[t->vector[group * b->width + k]];
+        for (int axis = 0; axis < 3; axis++) {
+            v->u[input + axis] += sign * sum_e.v[axis];
+            v->later[input + axis] += sign * part->left_s * sum_e.v[axis];
+        }
     }
 }
 
-void sensor_bench_take(sensor_bench *b, const schuler_truth_block *truth, const schuler_mat3 *C_b_e,
-                       error_vector *vectors)
+void sensor_bench_take(sensor_bench *b, const schuler_truth_block *truth,
+                       const turned_samples *parts, int count, error_vector *vectors)
 {
     const simulation_plan *const p = b->plan;
     if (b->nodes) schuler_truth_nodes_compute(p->truth, p->isa, truth->first, truth->n, b->nodes);
@@ -127,11 +129,8 @@ void sensor_bench_take(sensor_bench *b, const schuler_truth_block *truth, const 
         schuler_chain_observe(t->chain, truth, b->nodes);
         for (int g = 0; g * b->width < t->count; g++) {
             schuler_chain_apply(t->chain, t->states + t->state_size * (size_t)g, b->measured);
-            for (int from = 0; from < truth->n; from += TURNED_TOGETHER) {
-                const int n = truth->n - from < TURNED_TOGETHER ? truth->n - from : TURNED_TOGETHER;
-                add_errors(b, (schuler_instrument)i, g, own, from, n,
-                           &C_b_e[from / TURNED_TOGETHER], vectors);
-            }
+            for (int k = 0; k < count; k++)
+                add_errors(b, (schuler_instrument)i, g, own, &parts[k], vectors);
         }
     }
 }

@@ -138,11 +138,14 @@ static void put_rule(FILE *out)
 }
 
 /* The sums, and whether the budget is additive. */
-static void put_sums(const layout *l, const schuler_result *result)
+static void put_sums(const layout *l, const schuler_result *result,
+                     const schuler_covariance *linear)
 {
     const double joint_m = result->all.rms_end_m, rss_m = result->rss_end_m;
     put_sum(l, "joint run, all sources at once", joint_m, result->all.cep_mps);
     if (result->row_count > 0) put_sum(l, "root sum square of the sources", rss_m, -1.0);
+    if (linear && linear->total.end_m > 0.0)
+        put_sum(l, "linear covariance of the sources", linear->total.end_m, -1.0);
     if (rss_m > 0.0)
         fprintf(l->out, "  %-*s%+*.1f %%\n", l->source + 2 + l->value + 1, "difference",
                 POSITION - 2, 100.0 * (joint_m - rss_m) / rss_m);
@@ -176,7 +179,8 @@ void budget_header(FILE *out, const schuler_result *result)
             (unsigned long long)s->seed);
 }
 
-bool budget_table(FILE *out, const schuler_result *result, bool all)
+bool budget_table(FILE *out, const schuler_result *result, const schuler_covariance *linear,
+                  bool all)
 {
     const size_t count = result->row_count;
     const schuler_budget_row **rows = calloc(count + 1, sizeof(schuler_budget_row *));
@@ -202,7 +206,8 @@ bool budget_table(FILE *out, const schuler_result *result, bool all)
     if (shown < count) put_folded(&l, rows + shown, count - shown);
     if (count == 0) fputs("  no error source is on\n", out);
     put_rule(out);
-    put_sums(&l, result);
+    put_sums(&l, result, linear);
+    if (linear) budget_agreement(out, result, linear);
     put_clipped(out, result);
     if (assumed)
         fputs("\n  * assumed: not a published figure, or not as one (schuler sensors show NAME)\n",

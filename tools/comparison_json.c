@@ -14,7 +14,7 @@ static json_t *one(const comparison *c, size_t i)
                      json_of_number(nmi_per_h(item->judgement.upper_mps)), "times_the_best",
                      "ratio", json_of_number(p->ratio), "lower", json_of_number(p->lower), "upper",
                      json_of_number(p->upper), "confidence", json_of_number(p->confidence), "pairs",
-                     p->pairs, "result", result_json(item->result));
+                     p->pairs, "result", result_json(item->result, NULL));
 }
 
 json_t *comparison_json(const comparison *c)

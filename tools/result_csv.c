@@ -49,7 +49,7 @@ static void put_quoted(FILE *out, const char *text)
     fputc('"', out);
 }
 
-static void put_row(FILE *out, const schuler_budget_row *row)
+static void put_row(FILE *out, const schuler_budget_row *row, const schuler_covariance_row *linear)
 {
     const double numbers[] = { row->rms_end_m, row->rms_max_m, nmi_per_h(row->cep_mps),
                                nmi_per_h(row->r95_mps), row->share };
@@ -61,7 +61,9 @@ static void put_row(FILE *out, const schuler_budget_row *row)
         schuler_digits(text, numbers[i]);
         fprintf(out, ",%s", text);
     }
-    fputc('\n', out);
+    text[0] = '\0';
+    if (linear && !linear->uncovered) schuler_digits(text, linear->end_m);
+    fprintf(out, ",%s\n", text);
 }
 
 static void put_provenance(FILE *out, const schuler_scenario *s)
@@ -70,21 +72,22 @@ static void put_provenance(FILE *out, const schuler_scenario *s)
             s->sha256, (unsigned long long)s->seed, s->runs);
 }
 
-void budget_csv(FILE *out, const schuler_result *result)
+void budget_csv(FILE *out, const schuler_result *result, const schuler_covariance *linear)
 {
     char text[SCHULER_DIGITS_MAX];
     put_provenance(out, result->scenario);
     fputs(
         "source,group,value,assumed,horizontal_rms_end_m,horizontal_rms_max_m,drift_cep_nmi_per_h,"
-        "drift_r95_nmi_per_h,share\n",
+        "drift_r95_nmi_per_h,share,covariance_rms_end_m\n",
         out);
-    for (size_t i = 0; i < result->row_count; i++) put_row(out, &result->rows[i]);
-    put_row(out, &result->all);
-    put_row(out, &result->none);
+    for (size_t i = 0; i < result->row_count; i++)
+        put_row(out, &result->rows[i], schuler_covariance_find(linear, result->rows[i].id));
+    put_row(out, &result->all, linear ? &linear->total : NULL);
+    put_row(out, &result->none, NULL);
     schuler_digits(text, result->rss_end_m);
     fprintf(out, "rss,,\"\",0,%s,", text);
     schuler_digits(text, result->rss_max_m);
-    fprintf(out, "%s,,,\n", text);
+    fprintf(out, "%s,,,,\n", text);
 }
 
 void scenario_copy(FILE *out, const schuler_scenario *s, const char *switches)

@@ -25,6 +25,15 @@ static schuler_status on_errors(void *user, const char *id, int run, const schul
     return ferror(s->errors) ? SCHULER_ERR_FILE : SCHULER_OK; /* a full disk: stop at once */
 }
 
+static exit_code say_status(schuler_status status, const schuler_error *error)
+{
+    if (status == SCHULER_ERR_INTERRUPTED)
+        fputs("schuler: interrupted; nothing was written\n", stderr);
+    else if (status != SCHULER_OK)
+        say_error(error);
+    return exit_of(status);
+}
+
 exit_code simulate(const schuler_scenario *scenario, const simulation_arguments *a, outfile *errors,
                    schuler_result **out)
 {
@@ -41,11 +50,15 @@ exit_code simulate(const schuler_scenario *scenario, const simulation_arguments 
                                          .stop = stop_flag() };
     const schuler_status status = schuler_simulate(scenario, &wanted, out, &error);
     progress_end(&bar);
-    if (status == SCHULER_ERR_INTERRUPTED)
-        fputs("schuler: interrupted; nothing was written\n", stderr);
-    else if (status == SCHULER_ERR_FILE && s.errors && ferror(s.errors))
+    if (status == SCHULER_ERR_FILE && s.errors && ferror(s.errors))
         return outfile_complete(errors); /* says which file and why */
-    else if (status != SCHULER_OK)
-        say_error(&error);
-    return exit_of(status);
+    return say_status(status, &error);
+}
+
+exit_code simulate_linear(const schuler_scenario *scenario, const simulation_arguments *a,
+                          schuler_covariance **out)
+{
+    schuler_error error = { 0 };
+    const schuler_isa isa = a->has_isa ? a->isa : schuler_isa_best();
+    return say_status(schuler_covariance_run(scenario, isa, stop_flag(), out, &error), &error);
 }

@@ -3,7 +3,7 @@
 #ifndef SCHULER_TOOLS_SIMULATE_H
 #define SCHULER_TOOLS_SIMULATE_H
 
-#include "scenarios/simulation.h"
+#include "scenarios/covariance.h"
 #include "tools/outfile.h"
 #include "tools/simulation_arguments.h"
 
@@ -12,5 +12,10 @@
  *  Returned   out      owned by the caller when EXIT_DONE, else untouched */
 exit_code simulate(const schuler_scenario *scenario, const simulation_arguments *a, outfile *errors,
                    schuler_result **out);
+
+/** The covariance of a scenario. Says what goes wrong.
+ *  Returned   out   owned by the caller when EXIT_DONE, else untouched */
+exit_code simulate_linear(const schuler_scenario *scenario, const simulation_arguments *a,
+                          schuler_covariance **out);
 
 #endif

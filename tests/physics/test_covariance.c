@@ -7,7 +7,7 @@ static schuler_covariance *covariance(const schuler_scenario *s)
 {
     schuler_covariance *c = NULL;
     schuler_error err = { 0 };
-    if (schuler_covariance_run(s, schuler_isa_best(), &c, &err) != SCHULER_OK)
+    if (schuler_covariance_run(s, schuler_isa_best(), NULL, &c, &err) != SCHULER_OK)
         fail_msg("%s", err.message);
     return c;
 }
