@@ -51,21 +51,26 @@ const schuler_truth_lanes *schuler_truth_lanes_for(schuler_isa isa)
     return all[(size_t)isa < count ? (size_t)isa : 0];
 }
 
-/* The field's table, and what it has beyond it along the path. */
-static schuler_status open_gravity(const char *name, const schuler_path *path, double high_m,
-                                   schuler_gravity_table *table, schuler_path_gravity *dg,
-                                   schuler_error *err)
+/* Both sides' tables, and what the fields have beyond them along the path; nav NULL: the same. */
+static schuler_status open_gravity(schuler_truth *truth, const char *real, const char *nav,
+                                   double high_m, schuler_error *err)
 {
-    schuler_field_model *field = NULL;
-    schuler_status status = schuler_field_open(&field, name, err);
-    if (status != SCHULER_OK) return status;
-    status = schuler_gravity_fit_to(table, field, high_m, err);
+    schuler_path_field f[2] = { { NULL, &truth->truth_table }, { NULL, &truth->nav_table } };
+    schuler_field_model *field[2] = { NULL, NULL };
+    schuler_status status = schuler_field_open(&field[0], real, err);
+    if (status == SCHULER_OK && nav) status = schuler_field_open(&field[1], nav, err);
+    if (status == SCHULER_OK)
+        status = schuler_gravity_fit_to(&truth->truth_table, field[0], high_m, err);
+    truth->nav_table = truth->truth_table;
+    if (status == SCHULER_OK && nav)
+        status = schuler_gravity_fit_to(&truth->nav_table, field[1], high_m, err);
     if (status == SCHULER_OK) {
-        status = schuler_path_gravity_sample(dg, path, field, table);
+        for (int i = 0; i < 2; i++) f[i].field = field[i];
+        status = schuler_path_gravity_sample(&truth->dg, truth->path, &f[0], nav ? &f[1] : NULL);
         if (status != SCHULER_OK)
             schuler_fail(err, status, NULL, "out of memory for gravity along the path");
     }
-    schuler_field_close(field);
+    for (int i = 0; i < 2; i++) schuler_field_close(field[i]);
     return status;
 }
 
@@ -131,19 +136,13 @@ schuler_status schuler_truth_create(schuler_truth **out, const schuler_path *pat
     truth->parts = (int)ceil(dt_s / part_s - 1e-9);
     status = divide_steps(truth);
     if (status != SCHULER_OK) schuler_fail(err, status, NULL, "out of memory for the truth");
+    const int same = strcmp(truth_gravity, nav_gravity) == 0;
     if (status == SCHULER_OK)
-        status =
-            open_gravity(truth_gravity, path, high_m, &truth->truth_table, &truth->truth_dg, err);
-    truth->same_table = strcmp(truth_gravity, nav_gravity) == 0;
-    if (status == SCHULER_OK && !truth->same_table)
-        status = open_gravity(nav_gravity, path, high_m, &truth->nav_table, &truth->nav_dg, err);
-    else
-        truth->nav_table = truth->truth_table;
+        status = open_gravity(truth, truth_gravity, same ? NULL : nav_gravity, high_m, err);
     if (status != SCHULER_OK) {
         schuler_truth_free(truth);
         return status;
     }
-    truth->has_dg = !truth->same_table || truth->truth_dg.count > 0;
     *out = truth;
     return SCHULER_OK;
 }
@@ -151,8 +150,7 @@ schuler_status schuler_truth_create(schuler_truth **out, const schuler_path *pat
 void schuler_truth_free(schuler_truth *truth)
 {
     if (truth == NULL) return;
-    schuler_path_gravity_free(&truth->truth_dg);
-    schuler_path_gravity_free(&truth->nav_dg);
+    schuler_path_gravity_free(&truth->dg);
     free(truth->pieces);
     free(truth);
 }
@@ -170,30 +168,6 @@ const schuler_gravity_table *schuler_truth_nav_gravity(const schuler_truth *trut
 double schuler_truth_dt(const schuler_truth *truth)
 {
     return truth->dt_s;
-}
-
-/* The two parts of gravity at mid-step. Returned: beyond the truth's table, for the specific force.
- * The change of it within a step is of no account: 2e-5 m/s^2 per second at most. */
-static void fill_dg(const schuler_truth *truth, schuler_truth_block *out, schuler_columns *beyond_e)
-{
-    for (int i = 0; i < out->n; i++) {
-        const double t_s = ((double)(out->first + i) + 0.5) * truth->dt_s;
-        const schuler_vec3 real_e = schuler_path_gravity_at(&truth->truth_dg, t_s);
-        schuler_vec3 nav_e = real_e, only_real_e = { { 0.0, 0.0, 0.0 } };
-        if (!truth->same_table) {
-            const schuler_vec3 r_e = schuler_path_at(truth->path, t_s).r_e;
-            nav_e = schuler_path_gravity_at(&truth->nav_dg, t_s);
-            only_real_e =
-                schuler_vec3_add(schuler_vec3_sub(real_e, nav_e),
-                                 schuler_vec3_sub(schuler_gravity_at(&truth->truth_table, r_e),
-                                                  schuler_gravity_at(&truth->nav_table, r_e)));
-        }
-        for (int a = 0; a < 3; a++) {
-            beyond_e->v[a][i] = real_e.v[a];
-            out->dg_nav_e[a][i] = nav_e.v[a];
-            out->dg_truth_e[a][i] = only_real_e.v[a];
-        }
-    }
 }
 
 void schuler_truth_prepare(const schuler_truth *truth, const schuler_piece *piece,
@@ -298,18 +272,21 @@ void schuler_truth_block_compute(const schuler_truth *truth, schuler_isa isa, in
                                  schuler_truth_block *out)
 {
     const schuler_truth_lanes *const lanes = schuler_truth_lanes_for(isa);
-    schuler_columns beyond_e;
     out->first = first;
     out->n = n;
     out->dt_s = truth->dt_s;
-    out->has_dg = truth->has_dg;
-    if (truth->has_dg) {
-        fill_dg(truth, out, &beyond_e);
+    out->has_dg = truth->dg.count > 0;
+    schuler_columns dg[SCHULER_PATH_PARTS];
+    if (out->has_dg) {
+        /* At mid-step: the change within a step is of no account, 2e-5 m/s^2 per second at most. */
+        schuler_path_gravity_fill(&truth->dg, truth->dt_s, first, n, dg);
+        memcpy(out->dg_nav_e, dg[SCHULER_PATH_NAV].v, sizeof out->dg_nav_e);
+        memcpy(out->dg_truth_e, dg[SCHULER_PATH_ONLY_REAL].v, sizeof out->dg_truth_e);
     } else {
         memset(out->dg_nav_e, 0, sizeof out->dg_nav_e);
         memset(out->dg_truth_e, 0, sizeof out->dg_truth_e);
     }
-    const schuler_columns *const dg_e = truth->has_dg ? &beyond_e : NULL;
+    const schuler_columns *const dg_e = out->has_dg ? &dg[SCHULER_PATH_REAL] : NULL;
 
     size_t p = schuler_path_find(truth->path, (double)first * truth->dt_s);
     for (int i = 0; i < n;) {

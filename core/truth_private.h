@@ -4,7 +4,6 @@
 #define SCHULER_CORE_TRUTH_PRIVATE_H
 
 #include "core/path_gravity.h"
-#include "core/truth_lanes.h"
 
 /* Steps of a piece: k is wholly inside when first <= k < end. */
 typedef struct {
@@ -16,12 +15,11 @@ struct schuler_truth {
     const schuler_path *path;
     double dt_s;
     int64_t steps;
-    int parts;   /* a step is integrated in so many at least         */
-    int densest; /* most pieces that begin within one step's length  */
-    int has_dg, same_table;
+    int parts;           /* a step is integrated in so many at least         */
+    int densest;         /* most pieces that begin within one step's length  */
     piece_steps *pieces; /* one per piece of the path */
     schuler_gravity_table truth_table, nav_table;
-    schuler_path_gravity truth_dg, nav_dg; /* beyond each one's own table */
+    schuler_path_gravity dg; /* beyond the tables */
 };
 
 /** The piece's polynomials with their time derivatives multiplied out; s0, ds, dt_s and the
