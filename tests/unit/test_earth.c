@@ -91,6 +91,13 @@ static void unknown_gravity_models_are_refused_with_advice(void **state)
         assert_non_null(strstr(err.message, "geographiclib-get-gravity"));
         assert_non_null(strstr(err.message, "GEOGRAPHICLIB_GRAVITY_PATH"));
     }
+    /* A good name in a folder without it: the command to type. */
+    schuler_field_model *field = NULL;
+    schuler_error err = { 0 };
+    assert_int_equal(schuler_field_open(&field, "/nowhere/egm96:120", &err),
+                     SCHULER_ERR_GRAVITY_DATA);
+    assert_non_null(strstr(err.message, "install with 'geographiclib-get-gravity egm96'"));
+    assert_non_null(strstr(err.message, "/nowhere"));
     schuler_field_close(NULL);
 }
 

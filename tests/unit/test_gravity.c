@@ -203,6 +203,41 @@ static void every_instruction_set_has_the_bits_of_the_scalar_twin(void **state)
     schuler_field_close(field);
 }
 
+/* What GeographicLib's own program prints: Gravity -n egm96 -p 8 --input-string "LAT LON H". */
+static const struct {
+    double lat_deg, lon_deg, h_m, east_mps2, north_mps2, up_mps2;
+} printed[] = {
+    { 27.988, 86.925, 8820.0, -0.00020967, 0.00083855, -9.76653289 },
+    { 0.0, 0.0, 0.0, -0.00001814, 0.00000776, -9.78036868 },
+    { 45.5, 6.0, 2000.0, 0.00033010, -0.00038910, -9.80053737 },
+    { 42.0, -40.0, 10000.0, 0.00037723, 0.00005880, -9.77291010 },
+    { -33.5, 151.0, 1000.0, -0.00005684, 0.00033798, -9.79322752 },
+    { 90.0, 0.0, 0.0, -0.00007274, -0.00006121, -9.83208154 },
+};
+
+static void egm96_is_that_of_geographiclibs_own_program(void **state)
+{
+    (void)state;
+    schuler_field_model *field = NULL;
+    schuler_error err = { 0 };
+    if (schuler_field_open(&field, "egm96", &err) != SCHULER_OK) {
+        print_message("skipped: %s\n", err.message);
+        skip();
+    }
+    assert_true(schuler_field_has_disturbance(field));
+    for (size_t i = 0; i < sizeof printed / sizeof printed[0]; i++) {
+        const schuler_llh p = { printed[i].lat_deg * DEG, printed[i].lon_deg * DEG,
+                                printed[i].h_m };
+        const schuler_vec3 g_n = to_ned(schuler_field_gravity(field, schuler_ecef_from_llh(p)), p);
+        /* Half a printed digit, and rounding of sums of 10. */
+        const double digit_mps2 = 0.5e-8 + 1e-13;
+        CHECK_NEAR(g_n.v[0], printed[i].north_mps2, digit_mps2);
+        CHECK_NEAR(g_n.v[1], printed[i].east_mps2, digit_mps2);
+        CHECK_NEAR(-g_n.v[2], printed[i].up_mps2, digit_mps2);
+    }
+    schuler_field_close(field);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -213,6 +248,7 @@ int main(void)
         cmocka_unit_test(the_two_ellipsoids_are_told_apart),
         cmocka_unit_test(height_and_normal_are_those_of_the_ellipsoid),
         cmocka_unit_test(every_instruction_set_has_the_bits_of_the_scalar_twin),
+        cmocka_unit_test(egm96_is_that_of_geographiclibs_own_program),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
