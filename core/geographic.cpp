@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The one C++ file: converts units and axes, catches everything, keeps models in opaque handles. */
-#include "core/geographic.h"
+#include "core/geographic_data.h"
 
 #include <GeographicLib/Geocentric.hpp>
 #include <GeographicLib/Geodesic.hpp>
@@ -9,6 +9,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -70,6 +71,11 @@ schuler_status fail_data(schuler_error *err, const char *text, const char *reaso
         "set "
         "GEOGRAPHICLIB_GRAVITY_PATH to their folder",
         text, reason, name);
+}
+
+template <size_t size> void copy(char (&out)[size], const char *text)
+{
+    std::snprintf(out, size, "%s", text);
 }
 } // namespace
 
@@ -147,6 +153,28 @@ try {
 void schuler_field_close(schuler_field_model *field)
 {
     delete field;
+}
+
+void schuler_field_folder(char *out, size_t size)
+try {
+    std::snprintf(out, size, "%s", GravityModel::DefaultGravityPath().c_str());
+} catch (...) {
+    if (size > 0) out[0] = '\0';
+}
+
+/* To degree 2 a model is read in no time, and is checked all the same. */
+void schuler_field_describe(const char *folder, schuler_field_data *d)
+try {
+    std::string name, in;
+    name = d->name;
+    in = folder;
+    const GravityModel model(name, in, 2);
+    copy(d->description, model.Description().c_str());
+    if (model.DateTime() != "UNKNOWN") copy(d->release, model.DateTime().c_str());
+} catch (const std::exception &e) {
+    copy(d->problem, e.what());
+} catch (...) {
+    copy(d->problem, "cannot be read");
 }
 
 schuler_vec3 schuler_field_normal_gravitation(const schuler_field_model *field, schuler_vec3 r_e)

@@ -31,6 +31,22 @@ SCHULER_API SCHULER_NODISCARD schuler_status schuler_field_open(schuler_field_mo
                                                                 schuler_error *err);
 SCHULER_API void schuler_field_close(schuler_field_model *field); /* NULL is fine */
 
+/* A data set of a full model, as its file NAME.egm describes it. */
+typedef struct {
+    char name[65], description[160], release[32]; /* release: a date, "" when not said     */
+    int degree;                                   /* of the coefficients; 0: cannot be read */
+    char problem[160];                            /* why it cannot be read, or ""           */
+} schuler_field_data;
+
+/** The folder in which data sets are looked for: GEOGRAPHICLIB_GRAVITY_PATH, else GeographicLib's own.
+ *  Returned   out   the name, cut to size bytes with its end */
+SCHULER_API void schuler_field_folder(char *out, size_t size);
+/** The data sets of a folder, in alphabetical order.
+ *  Given      folder     NULL: that of schuler_field_folder;  out  room for capacity entries
+ *  Returned   how many there are, perhaps more than capacity; 0 when there is no such folder */
+SCHULER_API size_t schuler_field_data_sets(const char *folder, schuler_field_data *out,
+                                           size_t capacity);
+
 /** Normal gravitation at an ECEF point, m/s^2, WITHOUT the centrifugal term (NormalGravity::V0). */
 SCHULER_API schuler_vec3 schuler_field_normal_gravitation(const schuler_field_model *field,
                                                           schuler_vec3 r_e);

@@ -4,19 +4,6 @@
 #include "tools/names.h"
 #include <string.h>
 
-const registry_entry registry_gravities[] = {
-    { "wgs84", "normal gravity of the WGS84 ellipsoid, built in",
-      "GeographicLib NormalGravity; NIMA TR8350.2" },
-    { "grs80", "normal gravity of the GRS80 ellipsoid, built in",
-      "GeographicLib NormalGravity; H. Moritz, Geodetic Reference System 1980" },
-    { "egm96",
-      "the real field to degree 360; the data set comes with 'geographiclib-get-gravity egm96'",
-      "GeographicLib GravityModel; F. G. Lemoine et al., NASA/TP-1998-206861" },
-    { "egm2008", "the real field to degree 2190; 'geographiclib-get-gravity egm2008'",
-      "GeographicLib GravityModel; N. K. Pavlis et al., J. Geophys. Res. 117, 2012" },
-    { 0 },
-};
-
 const registry_entry registry_spellings[] = {
     { "noise_density",
       "density of white noise as data sheets give it, such as 100 ug/sqrt(Hz) or 0.01 "
@@ -85,7 +72,9 @@ exit_code registry_unknown(const char *name, const schuler_plugins *plugins)
     while (*at) at++;
     names_of_coning(at);
     while (*at) at++;
-    for (int i = 0; registry_gravities[i].name; i++) *at++ = registry_gravities[i].name;
+    registry_gravity_names gravities;
+    registry_gravity_known(&gravities);
+    for (int i = 0; i < gravities.count && at < end; i++) *at++ = gravities.names[i];
     for (int i = 0; registry_spellings[i].name; i++) *at++ = registry_spellings[i].name;
     const schuler_sensor_model *const *list = schuler_plugins_models(plugins);
     for (; *list && at < end; list++) *at++ = (*list)->name;

@@ -8,13 +8,30 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* What has no table of the library: gravity models, and keys that say another one in the words of
- * data sheets. Both end with name NULL. */
+/* What has no table of the library: keys that say another one in the words of data sheets. Ends with
+ * name NULL. */
 typedef struct {
     const char *name, *summary, *source;
 } registry_entry;
 
-extern const registry_entry registry_gravities[], registry_spellings[];
+extern const registry_entry registry_spellings[];
+
+/** A row of a list; the head of what 'show' prints. */
+void registry_row(FILE *out, const char *name, const char *summary);
+void registry_head(FILE *out, const char *what, const char *name, const char *summary,
+                   const char *source);
+
+/* Gravity models: those that are built in, those that are known and those that are installed. The
+ * last four are as those below. */
+enum { REGISTRY_GRAVITIES_MAX = 64 };
+typedef struct {
+    char names[REGISTRY_GRAVITIES_MAX][65];
+    int count;
+} registry_gravity_names;
+void registry_gravity_known(registry_gravity_names *out);
+void registry_gravity_list(FILE *out);
+bool registry_gravity_show(FILE *out, const char *name);
+json_t *registry_gravity_json(void);
 
 /** Whether a stage changes what comes through (bandwidth, quantization); else it adds an error. */
 bool registry_is_response(const schuler_sensor_model *stage);

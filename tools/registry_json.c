@@ -112,5 +112,5 @@ json_t *registry_json(const schuler_plugins *plugins)
                      "schuler-models-1", "version", SCHULER_VERSION, "sensor_models", models,
                      "stages", stages, "spellings", entries(registry_spellings), "trajectories",
                      kinds, "overlays", overlays, "frames", frames, "coning", algorithms, "gravity",
-                     entries(registry_gravities));
+                     registry_gravity_json());
 }

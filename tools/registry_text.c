@@ -9,7 +9,7 @@
 
 enum { NAME_COLUMNS = 18, KEY = 4, TEXT = 8 };
 
-static void list_row(FILE *out, const char *name, const char *summary)
+void registry_row(FILE *out, const char *name, const char *summary)
 {
     fputs("  ", out);
     page_cell(out, name, NAME_COLUMNS);
@@ -20,10 +20,10 @@ static void list_models(FILE *out, schuler_instrument instrument, const schuler_
 {
     const schuler_sensor_model *const *list = schuler_sensor_models(SCHULER_ISA_SCALAR);
     for (; *list; list++)
-        if ((*list)->params[instrument]) list_row(out, (*list)->name, (*list)->summary);
+        if ((*list)->params[instrument]) registry_row(out, (*list)->name, (*list)->summary);
     for (list = schuler_plugins_models(plugins); *list; list++) {
         if (!(*list)->params[instrument]) continue;
-        list_row(out, (*list)->name, (*list)->summary);
+        registry_row(out, (*list)->name, (*list)->summary);
         fprintf(out, "%*splug-in %s\n", 2 + NAME_COLUMNS, "", schuler_plugins_path(plugins, *list));
     }
 }
@@ -53,7 +53,7 @@ static void list_stages(FILE *out, bool of_response)
     const schuler_sensor_model *const *list = schuler_sensor_stages(SCHULER_ISA_SCALAR);
     for (; *list; list++) {
         if (registry_is_response(*list) != of_response) continue;
-        list_row(out, (*list)->name, (*list)->summary);
+        registry_row(out, (*list)->name, (*list)->summary);
         put_keys(out, *list);
     }
 }
@@ -69,30 +69,29 @@ void registry_list(FILE *out, const schuler_plugins *plugins)
     fputs("\nResponse and mounting of any model: keys of imu.accel and imu.gyro\n", out);
     list_stages(out, true);
     fputs("\nWords of data sheets: keys of imu.accel and imu.gyro\n", out);
-    list_row(out, "noise_density", "with sided: one or two; becomes the random walk");
-    list_row(out, "allan_floor", "becomes bias_instability");
+    registry_row(out, "noise_density", "with sided: one or two; becomes the random walk");
+    registry_row(out, "allan_floor", "becomes bias_instability");
     fputs("\nTrajectories (trajectory.kind)\n", out);
     for (int i = 0; schuler_trajectory_kinds[i]; i++)
-        list_row(out, schuler_trajectory_kinds[i]->name, schuler_trajectory_kinds[i]->summary);
+        registry_row(out, schuler_trajectory_kinds[i]->name, schuler_trajectory_kinds[i]->summary);
     fputs("\nMotions that add to any trajectory (trajectory.overlays)\n", out);
     for (int i = 0; schuler_overlay_kinds[i]; i++) {
         const schuler_object *const object = schuler_overlay_object(schuler_overlay_kinds[i]);
-        list_row(out, object->name, object->doc);
+        registry_row(out, object->name, object->doc);
     }
     fputs("\nNavigation frames (navigation.frame)\n", out);
     const schuler_mechanization *const *frames = schuler_mechanizations(SCHULER_ISA_SCALAR);
-    for (int i = 0; frames[i]; i++) list_row(out, frames[i]->name, frames[i]->summary);
+    for (int i = 0; frames[i]; i++) registry_row(out, frames[i]->name, frames[i]->summary);
     fputs("\nAttitude algorithms (navigation.coning)\n", out);
     for (const schuler_coning_algorithm *a = schuler_coning_algorithms; a->name; a++)
-        list_row(out, a->name, a->summary);
+        registry_row(out, a->name, a->summary);
     fputs("\nGravity (truth.gravity, navigation.gravity)\n", out);
-    for (int i = 0; registry_gravities[i].name; i++)
-        list_row(out, registry_gravities[i].name, registry_gravities[i].summary);
+    registry_gravity_list(out);
     fputs("\n'schuler models show NAME' shows the keys of one.\n", out);
 }
 
-static void put_head(FILE *out, const char *what, const char *name, const char *summary,
-                     const char *source)
+void registry_head(FILE *out, const char *what, const char *name, const char *summary,
+                   const char *source)
 {
     fprintf(out, "%s, %s\n  ", name, what);
     page_wrap(out, summary, 2, 2);
@@ -138,7 +137,7 @@ static void put_equation(FILE *out, const char *equation)
 
 static void show_sensor(FILE *out, const char *what, const schuler_sensor_model *m)
 {
-    put_head(out, what, m->name, m->summary, m->source);
+    registry_head(out, what, m->name, m->summary, m->source);
     if (m->equation) put_equation(out, m->equation);
     if (m->departures) {
         fputs("  departs from the print: ", out);
@@ -186,7 +185,7 @@ static bool show_sensor_named(FILE *out, const char *name, const schuler_plugins
 static bool show_entry(FILE *out, const char *what, const char *name, const registry_entry *list)
 {
     while (list->name && strcmp(list->name, name) != 0) list++;
-    if (list->name) put_head(out, what, name, list->summary, list->source);
+    if (list->name) registry_head(out, what, name, list->summary, list->source);
     return list->name != NULL;
 }
 
@@ -194,12 +193,12 @@ bool registry_show(FILE *out, const char *name, const schuler_plugins *plugins)
 {
     if (show_sensor_named(out, name, plugins) ||
         show_entry(out, "a key of imu.accel and imu.gyro", name, registry_spellings) ||
-        show_entry(out, "a gravity model", name, registry_gravities))
+        registry_gravity_show(out, name))
         return true;
     for (int i = 0; schuler_trajectory_kinds[i]; i++) {
         const schuler_trajectory_kind *kind = schuler_trajectory_kinds[i];
         if (strcmp(kind->name, name) != 0) continue;
-        put_head(out, "a kind of trajectory", name, kind->summary, kind->source);
+        registry_head(out, "a kind of trajectory", name, kind->summary, kind->source);
         fputc('\n', out);
         fields_print(out, kind->object, 2);
         return true;
@@ -207,8 +206,8 @@ bool registry_show(FILE *out, const char *name, const schuler_plugins *plugins)
     for (int i = 0; schuler_overlay_kinds[i]; i++) {
         const schuler_object *const object = schuler_overlay_object(schuler_overlay_kinds[i]);
         if (strcmp(object->name, name) != 0) continue;
-        put_head(out, "adds to any trajectory", name, object->doc,
-                 schuler_overlay_source(schuler_overlay_kinds[i]));
+        registry_head(out, "adds to any trajectory", name, object->doc,
+                      schuler_overlay_source(schuler_overlay_kinds[i]));
         fputc('\n', out);
         fields_print(out, object, 2);
         return true;
@@ -216,7 +215,7 @@ bool registry_show(FILE *out, const char *name, const schuler_plugins *plugins)
     const schuler_mechanization *const *frames = schuler_mechanizations(SCHULER_ISA_SCALAR);
     for (int i = 0; frames[i]; i++) {
         if (strcmp(frames[i]->name, name) != 0) continue;
-        put_head(out, "a navigation frame", name, frames[i]->summary, frames[i]->source);
+        registry_head(out, "a navigation frame", name, frames[i]->summary, frames[i]->source);
         put_equation(out, frames[i]->equation);
         fputs("  limits: ", out);
         page_wrap(out, frames[i]->limits, 10, 10);
@@ -224,7 +223,7 @@ bool registry_show(FILE *out, const char *name, const schuler_plugins *plugins)
     }
     for (const schuler_coning_algorithm *a = schuler_coning_algorithms; a->name; a++) {
         if (strcmp(a->name, name) != 0) continue;
-        put_head(out, "an attitude algorithm", name, a->summary, a->source);
+        registry_head(out, "an attitude algorithm", name, a->summary, a->source);
         fputs("  error law: ", out);
         page_wrap(out, a->law, 13, 13);
         return true;

@@ -102,6 +102,26 @@ for kind in sensor_models stages spellings; do
         done
     done
 done
+# Gravity: what is installed and where, and how to get the rest.
+mkdir gravity
+printf 'EGMF-1\nName bad\n' >gravity/bad.egm
+with_gravity() { expect 0 env GEOGRAPHICLIB_GRAVITY_PATH="$PWD/gravity" "$SCHULER" "$@"; }
+with_gravity models --json gravity.json
+has out "geographiclib-get-gravity egm2008"
+has out "cannot be read"
+count=$(json gravity.json gravity)
+[ "$count" -eq 5 ] || complain "$count gravity models instead of 5"
+[ "$(json gravity.json gravity 0 built_in)" = true ] || complain "wgs84 is not built in"
+[ "$(json gravity.json gravity 2 installed)" = false ] || complain "egm96 is installed"
+[ "$(json gravity.json gravity 2 install)" = "geographiclib-get-gravity egm96" ] ||
+    complain "egm96 cannot be installed"
+[ "$(json gravity.json gravity 4 name)" = bad ] || complain "the data set is not listed"
+for model in egm96 bad; do
+    with_gravity models show $model
+    has out "install: geographiclib-get-gravity $model"
+done
+expect 2 env GEOGRAPHICLIB_GRAVITY_PATH="$PWD/gravity" "$SCHULER" models show egm9
+has err "did you mean 'egm96'?"
 expect 0 "$SCHULER" models show bias_instability
 has out "flicker, an error beside those"
 expect 0 "$SCHULER" models show bandwidth

@@ -2,7 +2,10 @@
 #include "check.h"
 #include "core/earth.h"
 #include "core/geographic.h"
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #define DEG SCHULER_RAD_PER_DEG
 
@@ -101,6 +104,61 @@ static void unknown_gravity_models_are_refused_with_advice(void **state)
     schuler_field_close(NULL);
 }
 
+static void put(const char *folder, const char *name, const char *text)
+{
+    char path[256];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *const out = fopen(path, "w");
+    assert_non_null(out);
+    fputs(text, out);
+    assert_int_equal(fclose(out), 0);
+}
+
+static void data_sets_of_a_folder_are_listed(void **state)
+{
+    (void)state;
+    schuler_field_data sets[8];
+    assert_int_equal(schuler_field_data_sets("/nowhere", sets, 8), 0);
+    char folder[] = "/tmp/schuler-test-XXXXXX";
+    assert_non_null(mkdtemp(folder));
+    assert_int_equal(schuler_field_data_sets(folder, sets, 8), 0);
+    put(folder, "noise.egm", "what is this\n");
+    put(folder, "absent.egm", "EGMF-1\nName absent\nDescription coefficients are missing\n");
+    put(folder, "no name.egm", "");
+    put(folder, "other.txt", "");
+    assert_int_equal(schuler_field_data_sets(folder, sets, 8), 2);
+    assert_string_equal(sets[0].name, "absent");
+    assert_string_equal(sets[1].name, "noise");
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(sets[i].degree, 0);
+        assert_true(sets[i].problem[0] != '\0');
+    }
+    assert_int_equal(schuler_field_data_sets(folder, sets, 1), 2);
+    static const char *const names[] = { "noise.egm", "absent.egm", "no name.egm", "other.txt" };
+    for (int i = 0; i < 4; i++) {
+        char path[256];
+        snprintf(path, sizeof path, "%s/%s", folder, names[i]);
+        assert_int_equal(unlink(path), 0);
+    }
+    assert_int_equal(rmdir(folder), 0);
+}
+
+static void an_installed_data_set_says_its_degree(void **state)
+{
+    (void)state;
+    schuler_field_data sets[64];
+    size_t count = schuler_field_data_sets(NULL, sets, 64), k = 0;
+    count = count < 64 ? count : 64;
+    while (k < count && strcmp(sets[k].name, "egm96") != 0) k++;
+    if (k == count) {
+        print_message("egm96 is not installed: skipped\n");
+        skip();
+    }
+    assert_int_equal(sets[k].degree, 360);
+    assert_string_equal(sets[k].problem, "");
+    assert_non_null(strstr(sets[k].description, "1996"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -109,6 +167,8 @@ int main(void)
         cmocka_unit_test(ned_axes_point_where_coordinates_grow),
         cmocka_unit_test(geodesics_close),
         cmocka_unit_test(unknown_gravity_models_are_refused_with_advice),
+        cmocka_unit_test(data_sets_of_a_folder_are_listed),
+        cmocka_unit_test(an_installed_data_set_says_its_degree),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
