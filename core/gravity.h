@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Gravity the lanes can afford: GeographicLib's normal field fitted at load by polynomials in ECEF
- * (no trigonometry, square root or division), the disturbance of a full model splined along the
+ * (no trigonometry, square root or division), the disturbance of a full model interpolated along the
  * true path.
  *
  * With t = z^2/b^2 and u = (x^2 + y^2)/a^2 + z^2/b^2 - 1, both scaled to [-1, 1] over the box of
