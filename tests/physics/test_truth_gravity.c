@@ -2,6 +2,7 @@
 /* Gravity of the real world beside the navigator's: what goes into the specific force, and what is
  * told to the navigator. EGM96 needs its data set; without it those tests skip. */
 #include "flights.h"
+#include "mission.h"
 #include <stdlib.h>
 
 static schuler_path straight(double lat_deg, double lon_deg, double h_m, double for_s)
@@ -121,6 +122,61 @@ static void manoeuvres_do_not_upset_the_disturbance(void **state)
     schuler_path_free(&path);
 }
 
+/* Root of the summed squares of its nine derivatives, 1/s^2. */
+static double gradient_of_disturbance(const schuler_field_model *egm96,
+                                      const schuler_field_model *wgs84, schuler_vec3 r_e)
+{
+    const double step_m = 100.0;
+    double sum = 0.0;
+    for (int a = 0; a < 3; a++) {
+        schuler_vec3 dg_e[2];
+        for (int k = 0; k < 2; k++) {
+            schuler_vec3 at_e = r_e;
+            at_e.v[a] += (k - 0.5) * step_m;
+            dg_e[k] = schuler_vec3_sub(schuler_field_gravity(egm96, at_e),
+                                       schuler_field_gravity(wgs84, at_e));
+        }
+        const double change = schuler_vec3_norm(schuler_vec3_sub(dg_e[1], dg_e[0])) / step_m;
+        sum += change * change;
+    }
+    return sqrt(sum);
+}
+
+/* Where waves move the vehicle, hundreds of pieces share one line, from which the vehicle is 3 m away at
+ * most and its ends are off by the waves: a change of the disturbance over 6 m. */
+static void waves_leave_no_more_than_their_height(void **state)
+{
+    (void)state;
+    schuler_field_model *egm96 = open_field("egm96"), *wgs84 = open_field("wgs84");
+    schuler_scenario *s = mission_text(
+        "scenario: waves\ntrajectory:\n  kind: segments\n"
+        "  start: {lat: 45.5 deg, lon: 6 deg, height: 0 m, heading: 75 deg, speed: 6 m/s}\n"
+        "  segments: [cruise: {for: 10 min}]\n"
+        "  overlays: [sway: {motion: heave, distance: 2 m, period: 8 s}]\n"
+        "imu: {rate: 10 Hz, accel: {model: linear}, gyro: {model: linear}}\n");
+    schuler_truth *truth = flight_truth(&s->path, 0.1, "egm96", "wgs84");
+    double worst = 0.0, largest_m = 0.0;
+    const double gradient = gradient_of_disturbance(egm96, wgs84, s->path.pieces[0].r0_e);
+    for (int64_t first = 0; first < 6000; first += 37) {
+        schuler_truth_block block;
+        schuler_truth_block_compute(truth, schuler_isa_best(), first, 1, &block);
+        const schuler_vec3 r_e = schuler_path_at(&s->path, ((double)first + 0.5) * 0.1).r_e;
+        const schuler_vec3 dg_e =
+            schuler_vec3_sub(schuler_field_gravity(egm96, r_e), schuler_field_gravity(wgs84, r_e));
+        const schuler_vec3 told_e = { { block.dg_truth_e[0][0], block.dg_truth_e[1][0],
+                                        block.dg_truth_e[2][0] } };
+        worst = fmax(worst, schuler_vec3_norm(schuler_vec3_sub(told_e, dg_e)));
+        largest_m = fmax(largest_m, fabs(schuler_llh_from_ecef(r_e).h_m));
+    }
+    assert_true(largest_m > 1.9);
+    CHECK_NEAR(worst, 0.0, 6.0 * gradient);
+    assert_true(gradient < 1.3e-7);
+    schuler_truth_free(truth);
+    schuler_scenario_free(s);
+    schuler_field_close(wgs84);
+    schuler_field_close(egm96);
+}
+
 static void the_specific_force_holds_the_disturbance(void **state)
 {
     (void)state;
@@ -201,6 +257,7 @@ int main(void)
         cmocka_unit_test(another_normal_field_is_told_as_a_difference),
         cmocka_unit_test(the_disturbance_is_followed_between_samples),
         cmocka_unit_test(manoeuvres_do_not_upset_the_disturbance),
+        cmocka_unit_test(waves_leave_no_more_than_their_height),
         cmocka_unit_test(the_specific_force_holds_the_disturbance),
         cmocka_unit_test(a_navigator_with_the_full_model_misses_nothing),
         cmocka_unit_test(at_rest_one_sample_is_enough),
