@@ -1,34 +1,44 @@
 /* SPDX-License-Identifier: MIT */
 #include "scenarios/csv.h"
+#include "scenarios/csv_lines.h"
 #include "scenarios/decimal.h"
-#include <errno.h>
 #include <locale.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-
-enum { BUFFER = 1 << 18 };
 
 struct schuler_csv {
-    FILE *file;
-    const char *path, *header;
+    csv_lines lines;
+    const char *header;
     locale_t c_locale; /* numbers have a point, whatever the program's locale */
-    int columns, line;
-    double size_bytes, read_bytes;
-    char text[SCHULER_CSV_LINE_MAX + 2];    /* the line last read, without its end      */
-    int column_at[SCHULER_CSV_COLUMNS_MAX]; /* offset of each field in it, and its width */
-    int column_width[SCHULER_CSV_COLUMNS_MAX];
+    int columns;
+    char *text; /* the line last read, without its end */
+    size_t length;
 };
+
+/* What the line holds of a column, without blanks around; empty when there are fewer columns. */
+static char *field_of(const schuler_csv *csv, int column, int *width)
+{
+    char *p = csv->text;
+    for (int i = 0; i < column; i++) {
+        p += strcspn(p, ",");
+        if (*p) p++;
+    }
+    char *end = p + strcspn(p, ",");
+    p += strspn(p, " \t");
+    while (end > p && (end[-1] == ' ' || end[-1] == '\t')) end--;
+    *width = end > p ? (int)(end - p) : 0;
+    return p;
+}
 
 static schuler_status fail_at(const schuler_csv *csv, int offset, int width, schuler_error *err,
                               const char *format, va_list arguments)
 {
     char message[SCHULER_MESSAGE_MAX];
     vsnprintf(message, sizeof(message), format, arguments);
-    const schuler_place place = { csv->path, csv->line, offset + 1, width };
+    const schuler_place place = { csv->lines.path, csv->lines.number, offset + 1, width };
     schuler_fail(err, SCHULER_ERR_INPUT, &place, "%s", message);
     if (err)
         snprintf(err->excerpt, sizeof(err->excerpt), "%.*s", SCHULER_EXCERPT_MAX - 1, csv->text);
@@ -50,33 +60,19 @@ schuler_status schuler_csv_refuse(const schuler_csv *csv, int column, schuler_er
 {
     va_list arguments;
     va_start(arguments, format);
-    const schuler_status status =
-        fail_at(csv, csv->column_at[column], csv->column_width[column], err, format, arguments);
+    int width;
+    const int offset = (int)(field_of(csv, column, &width) - csv->text);
+    const schuler_status status = fail_at(csv, offset, width, err, format, arguments);
     va_end(arguments);
     return status;
 }
 
-/* One line into csv->text; *got = 0 at the end. A last line without its newline counts. */
-static schuler_status read_line(schuler_csv *csv, int *got, schuler_error *err)
+/* What no line may be; told before anything else that is wrong with it. */
+static schuler_status check_line(const schuler_csv *csv, schuler_error *err)
 {
-    const schuler_place place = { csv->path, 0, 0, 0 };
-    errno = 0;
-    csv->text[0] = '\0';
-    size_t length = 0;
-    int c = EOF;
-    while (length < sizeof(csv->text) - 1 && (c = getc_unlocked(csv->file)) != EOF && c != '\n')
-        csv->text[length++] = (char)c;
-    if (c == EOF && ferror(csv->file))
-        return schuler_fail(err, SCHULER_ERR_FILE, &place, "cannot be read: %s", strerror(errno));
-    *got = length > 0 || c == '\n';
-    if (!*got) return SCHULER_OK;
-    csv->line++;
-    csv->read_bytes += (double)length + 1.0;
-    if (length > 0 && csv->text[length - 1] == '\r') length--;
-    csv->text[length] = '\0';
-    if (memchr(csv->text, '\0', length))
+    if (memchr(csv->text, '\0', csv->length))
         return fail(csv, 0, 0, err, "a NUL byte: this is not a text file");
-    if (length > SCHULER_CSV_LINE_MAX)
+    if (csv->length > SCHULER_CSV_LINE_MAX)
         return fail(csv, 0, 0, err, "line longer than %d characters", SCHULER_CSV_LINE_MAX);
     return SCHULER_OK;
 }
@@ -119,24 +115,18 @@ schuler_status schuler_csv_open(schuler_csv **out, const char *path, const char 
     schuler_status status = SCHULER_ERR_MEMORY;
     schuler_csv *csv = calloc(1, sizeof(*csv));
     if (!csv) goto no_memory;
-    csv->path = path;
+    csv->lines.fd = -1;
     csv->header = header;
     csv->c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (!csv->c_locale) goto no_memory;
-    csv->file = fopen(path, "re");
-    if (!csv->file) {
-        status =
-            schuler_fail(err, SCHULER_ERR_FILE, &place, "cannot be opened: %s", strerror(errno));
-        goto failed;
-    }
-    setvbuf(csv->file, NULL, _IOFBF, BUFFER);
-    struct stat info;
-    if (fstat(fileno(csv->file), &info) == 0) csv->size_bytes = (double)info.st_size;
     int got;
-    status = read_line(csv, &got, err);
+    status = csv_lines_open(&csv->lines, path, err);
+    if (status == SCHULER_OK)
+        status = csv_lines_next(&csv->lines, &csv->text, &csv->length, &got, err);
     if (status == SCHULER_OK && !got)
         status = schuler_fail(err, SCHULER_ERR_INPUT, &place, "empty; the first line must be %s",
                               header);
+    if (status == SCHULER_OK) status = check_line(csv, err);
     if (status == SCHULER_OK) status = check_header(csv, err);
     if (status != SCHULER_OK) goto failed;
     *out = csv;
@@ -151,47 +141,55 @@ failed:
 void schuler_csv_close(schuler_csv *csv)
 {
     if (!csv) return;
-    if (csv->file) fclose(csv->file);
+    csv_lines_close(&csv->lines);
     if (csv->c_locale) freelocale(csv->c_locale);
     free(csv);
 }
 
-static schuler_status read_number(const schuler_csv *csv, int column, double *value,
-                                  schuler_error *err)
+/* A row that is not just numbers and commas: blanks around them are fine, all else is told. */
+static schuler_status read_carefully(const schuler_csv *csv, double *values, schuler_error *err)
 {
-    const char *text = csv->text + csv->column_at[column];
-    const int width = csv->column_width[column];
-    const char *const end = schuler_decimal_read(text, csv->c_locale, value);
-    if (end == text + width && isfinite(*value)) return SCHULER_OK;
-    return schuler_csv_refuse(csv, column, err, "'%.*s' is not a %snumber", width < 40 ? width : 40,
-                              text, end == text + width ? "finite " : "");
-}
-
-schuler_status schuler_csv_next(schuler_csv *csv, double *values, int *got_row, schuler_error *err)
-{
-    schuler_status status = read_line(csv, got_row, err);
-    if (status != SCHULER_OK || !*got_row) return status;
+    const schuler_status status = check_line(csv, err);
+    if (status != SCHULER_OK) return status;
     const char *p = csv->text;
     for (int i = 0; i < csv->columns; i++) {
-        csv->column_at[i] = (int)(p - csv->text) + (int)strspn(p, " \t");
-        const char *end = p + field_length(p);
-        p = end;
-        while (end > csv->text + csv->column_at[i] && (end[-1] == ' ' || end[-1] == '\t')) end--;
-        csv->column_width[i] = (int)(end - csv->text) - csv->column_at[i];
-        if (csv->column_width[i] < 0) csv->column_width[i] = 0;
+        p += field_length(p);
         const int last = i == csv->columns - 1;
         if (last ? *p != '\0' : *p != ',')
             return fail(csv, (int)(p - csv->text), 1, err, "%s than the %d numbers of the header",
                         last ? "more" : "fewer", csv->columns);
         p++;
-        status = read_number(csv, i, &values[i], err);
-        if (status != SCHULER_OK) return status;
+        int width;
+        const char *const text = field_of(csv, i, &width);
+        const char *const end = schuler_decimal_read(text, csv->c_locale, &values[i]);
+        if (end == text + width && isfinite(values[i])) continue;
+        return schuler_csv_refuse(csv, i, err, "'%.*s' is not a %snumber", width < 40 ? width : 40,
+                                  text, end == text + width ? "finite " : "");
     }
     return SCHULER_OK;
 }
 
+schuler_status schuler_csv_next(schuler_csv *csv, double *values, int *got_row, schuler_error *err)
+{
+    const schuler_status status =
+        csv_lines_next(&csv->lines, &csv->text, &csv->length, got_row, err);
+    if (status != SCHULER_OK || !*got_row) return status;
+    const char *p = csv->text;
+    const char *const end = p + csv->length;
+    for (int i = 0;; i++) {
+        p = schuler_decimal_read(p, csv->c_locale, &values[i]);
+        if (!p || !isfinite(values[i])) break;
+        if (i == csv->columns - 1) {
+            if (p == end && csv->length <= SCHULER_CSV_LINE_MAX) return SCHULER_OK;
+            break;
+        }
+        if (*p++ != ',') break;
+    }
+    return read_carefully(csv, values, err);
+}
+
 double schuler_csv_fraction(const schuler_csv *csv)
 {
-    if (csv->size_bytes <= 0.0) return 0.0;
-    return fmin(csv->read_bytes / csv->size_bytes, 1.0);
+    if (csv->lines.size_bytes <= 0.0) return 0.0;
+    return fmin(csv->lines.read_bytes / csv->lines.size_bytes, 1.0);
 }

@@ -56,8 +56,8 @@ static const char *scan(const char *p, decimal *d)
 }
 
 /* With 64 bits of significand the digits and powers of ten up to 10^27 are exact, so that one rounding
- * is left, to 64 bits. Rounding again to 53 is right unless the first has gone to, or near, the middle
- * between two doubles: then false. */
+ * is left, to 64 bits, and two for powers up to 10^54: within 2^-62 and 2^-61 of the number. Rounding
+ * again to 53 is right unless that has gone to, or near, the middle between two doubles: then false. */
 static bool scale(const decimal *d, double *value)
 {
 #if LDBL_MANT_DIG >= 64
@@ -66,12 +66,16 @@ static bool scale(const decimal *d, double *value)
         1e10L, 1e11L, 1e12L, 1e13L, 1e14L, 1e15L, 1e16L, 1e17L, 1e18L, 1e19L,
         1e20L, 1e21L, 1e22L, 1e23L, 1e24L, 1e25L, 1e26L, 1e27L,
     };
-    if (d->count > DIGITS_MAX || d->exponent > EXPONENT_MAX || d->exponent < -EXPONENT_MAX)
-        return false;
-    const long double digits = (long double)d->digits;
-    const long double x =
-        d->exponent < 0 ? digits / power[-d->exponent] : digits * power[d->exponent];
-    const double below = (double)(x * (1.0L - 0x1p-62L)), above = (double)(x * (1.0L + 0x1p-62L));
+    const int size = d->exponent < 0 ? -d->exponent : d->exponent;
+    if (d->count > DIGITS_MAX || size > 2 * EXPONENT_MAX) return false;
+    const int first = size < EXPONENT_MAX ? size : EXPONENT_MAX;
+    long double x = (long double)d->digits, around = 0x1p-62L;
+    x = d->exponent < 0 ? x / power[first] : x * power[first];
+    if (size > first) {
+        x = d->exponent < 0 ? x / power[size - first] : x * power[size - first];
+        around = 0x1p-61L;
+    }
+    const double below = (double)(x * (1.0L - around)), above = (double)(x * (1.0L + around));
     if (below != above) return false;
     *value = d->negative ? -below : below;
     return true;
