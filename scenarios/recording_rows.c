@@ -3,6 +3,7 @@
  * every byte is looked at once, and parts of a file are read side by side. */
 #include "scenarios/decimal.h"
 #include "scenarios/recording_private.h"
+#include "scenarios/sampling.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -89,21 +90,12 @@ static schuler_status read_row(const reader *r, const char *line, double *values
 schuler_status recording_check_time(const recording_layout *layout, double before_s, double t_s,
                                     const schuler_place *place, schuler_error *err)
 {
-    const double step_s = t_s - before_s, interval_s = layout->interval_s;
-    if (step_s > 0.5 * interval_s && step_s < 1.5 * interval_s) return SCHULER_OK;
-    if (step_s == 0.0)
-        return schuler_fail(err, SCHULER_ERR_INPUT, place, "time %.12g s is repeated", t_s);
-    if (step_s < 0.0)
-        return schuler_fail(err, SCHULER_ERR_INPUT, place, "time runs back from %.12g s to %.12g s",
-                            before_s, t_s);
-    if (step_s > interval_s)
-        return schuler_fail(err, SCHULER_ERR_INPUT, place,
-                            "a gap: %.12g s follows %.12g s, but the interval is %.6g s; analyse "
-                            "the parts on their own",
-                            t_s, before_s, interval_s);
-    return schuler_fail(err, SCHULER_ERR_INPUT, place,
-                        "time %.12g s follows %.12g s too soon: the interval is %.6g s", t_s,
-                        before_s, interval_s);
+    char text[SCHULER_MESSAGE_MAX];
+    const sampling_step step = sampling_step_of(before_s, t_s, layout->interval_s);
+    if (step == SAMPLING_NEXT) return SCHULER_OK;
+    sampling_describe(text, sizeof text, step, before_s, t_s, layout->interval_s);
+    return schuler_fail(err, SCHULER_ERR_INPUT, place, "%s%s", text,
+                        step == SAMPLING_GAP ? "; analyse the parts on their own" : "");
 }
 
 static schuler_status take_row(const reader *r, const char *line, const double *values, int columns)
@@ -165,13 +157,7 @@ double recording_interval(const recording_layout *layout, const char *text, size
         before = t_s;
         count++;
     }
-    for (int i = 1; i < count; i++) /* sorted by insertion */
-        for (int k = i; k > 0 && step[k] < step[k - 1]; k--) {
-            const double swap = step[k];
-            step[k] = step[k - 1];
-            step[k - 1] = swap;
-        }
-    return count > 0 ? step[count / 2] : 0.0;
+    return count > 0 ? sampling_median(step, count) : 0.0;
 }
 
 /* Reads on; the bytes got, 0 at the end, -1 with rows->error. */

@@ -6,6 +6,7 @@
 #include "core/trajectories/recorded.h"
 #include "core/path_build.h"
 #include "core/trajectories/fields.h"
+#include "core/trajectories/velocity_doubt.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -99,16 +100,9 @@ static void warn_of_rows(const schuler_recorded_samples *s, const recorded_knot 
             if (gaps++ == 0) first_gap = i + 1;
             longest_s = fmax(longest_s, h);
         }
-        /* Mean velocity by position, and by the velocities of both rows: they may differ by an
-         * acceleration that changes within the interval, h/6 of it at most. */
-        const schuler_vec3 by_place =
-            schuler_vec3_scale(1.0 / h, schuler_vec3_sub(s->items[i + 1].r_e, s->items[i].r_e));
-        const schuler_vec3 v0 = s->items[i].v_e, v1 = s->items[i + 1].v_e;
-        const double off = schuler_vec3_norm(
-            schuler_vec3_sub(by_place, schuler_vec3_scale(0.5, schuler_vec3_add(v0, v1))));
-        const double allowed = 0.05 + 0.25 * schuler_vec3_norm(schuler_vec3_sub(v1, v0));
-        if (off > allowed) wrong++;
-        if (off > allowed && off > worst_mps) worst_mps = off, worst_row = i + 1;
+        const double off = schuler_velocity_doubt(&s->items[i], &s->items[i + 1], h);
+        if (off > 0.0) wrong++;
+        if (off > worst_mps) worst_mps = off, worst_row = i + 1;
     }
     if (gaps > 0) {
         const schuler_place place = line_of(s, first_gap);

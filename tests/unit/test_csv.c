@@ -134,7 +134,7 @@ static void hostile_bytes_have_a_place(void **state)
     }
 }
 
-/* Blanks count: 1024 characters are a line, 1025 are not, with or without an end, nor are a million. */
+/* Zeros in front count: 1024 characters are a line, 1025 are not, with or without an end, nor are a million. */
 static void a_line_has_a_longest_length(void **state)
 {
     static const struct {
@@ -155,7 +155,7 @@ static void a_line_has_a_longest_length(void **state)
         int rows;
         schuler_error error = { 0 };
         assert_non_null(file);
-        fprintf(file, HEADER "\n1,2,%*d%s", (int)lines[i].length - 4, 3, lines[i].end);
+        fprintf(file, HEADER "\n1,2,%0*d%s", (int)lines[i].length - 4, 3, lines[i].end);
         fclose(file);
         assert_int_equal(read_all(&rows, &error), lines[i].status);
         assert_int_equal(rows, lines[i].status == SCHULER_OK);
