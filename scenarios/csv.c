@@ -188,6 +188,11 @@ schuler_status schuler_csv_next(schuler_csv *csv, double *values, int *got_row, 
     return read_carefully(csv, values, err);
 }
 
+int schuler_csv_line(const schuler_csv *csv)
+{
+    return csv->lines.number;
+}
+
 double schuler_csv_fraction(const schuler_csv *csv)
 {
     if (csv->lines.size_bytes <= 0.0) return 0.0;

@@ -35,6 +35,9 @@ SCHULER_API schuler_status schuler_csv_refuse(const schuler_csv *csv, int column
                                               schuler_error *err, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
+/** The line of the row last read, from 1; the header is the first. */
+SCHULER_API int schuler_csv_line(const schuler_csv *csv);
+
 /** Part of the file that has been read, in [0, 1]; 0 when its size is not known. */
 SCHULER_API double schuler_csv_fraction(const schuler_csv *csv);
 

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "scenarios/navigate.h"
+#include "core/trajectories/velocity_doubt.h"
 #include "scenarios/comparator.h"
 #include "scenarios/disturbance.h"
 #include "scenarios/increments.h"
+#include "scenarios/navigate_errors.h"
 #include <math.h>
 #include <stdlib.h>
+#include <time.h>
 
 typedef struct {
     const schuler_navigate_options *options;
@@ -20,55 +23,28 @@ typedef struct {
     int64_t before_step; /* of the reference row before */
     schuler_baro_gains gains;
     schuler_baro_loop loop;
+    schuler_recorded_sample before; /* the reference's */
     schuler_navigate_result result;
+    double *stage_s; /* where the time since since_s goes */
+    double since_s;
 } navigation;
+
+/* From now on the time goes there. */
+static void enter(navigation *nav, double *stage_s)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    const double now_s = (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+    if (nav->stage_s) *nav->stage_s += now_s - nav->since_s;
+    nav->stage_s = stage_s;
+    nav->since_s = now_s;
+}
 
 static int is_finite(const schuler_nav_state *s)
 {
     double sum = s->q_b_e.w + s->q_b_e.x + s->q_b_e.y + s->q_b_e.z;
     for (int i = 0; i < 3; i++) sum += s->r_e.v[i] + s->v_e.v[i];
     return isfinite(sum);
-}
-
-/* The state as a row of a trajectory. C_b_n is handed out because Euler angles lose it at the
- * poles. */
-static schuler_trajectory_row row_of(const schuler_nav_state *s, double t_s, schuler_mat3 *C_b_n)
-{
-    schuler_trajectory_row row = { .t_s = t_s, .llh = schuler_llh_from_ecef(s->r_e) };
-    const schuler_mat3 C_n_e = schuler_C_n_e(row.llh.lat_rad, row.llh.lon_rad);
-    const schuler_mat3 C_e_n = schuler_mat3_transpose(&C_n_e);
-    const schuler_mat3 C_b_e = schuler_mat3_from_quat(s->q_b_e);
-    *C_b_n = schuler_mat3_mul(&C_e_n, &C_b_e);
-    row.v_n = schuler_mat3_apply(&C_e_n, s->v_e);
-    schuler_euler_from_mat3(C_b_n, &row.roll_rad, &row.pitch_rad, &row.heading_rad);
-    return row;
-}
-
-/* rms holds the sum of squares until finish(). */
-static void add_figure(schuler_error_figures *f, double error)
-{
-    f->final = error;
-    f->max = fmax(f->max, fabs(error));
-    f->rms += error * error;
-}
-
-static void add_errors(schuler_navigate_result *result, const schuler_nav_state *s, double h_m,
-                       const schuler_mat3 *C_b_n, const schuler_trajectory_row *reference)
-{
-    const schuler_nav_state truth = schuler_trajectory_state(reference);
-    const schuler_mat3 C_n_e = schuler_C_n_e(reference->llh.lat_rad, reference->llh.lon_rad);
-    const schuler_vec3 dr_e = schuler_vec3_sub(s->r_e, truth.r_e);
-    const schuler_vec3 dr_n = schuler_mat3_apply_transposed(&C_n_e, dr_e);
-    add_figure(&result->horizontal_m, hypot(dr_n.v[0], dr_n.v[1]));
-    add_figure(&result->height_m, h_m - reference->llh.h_m);
-    add_figure(&result->velocity_mps, schuler_vec3_norm(schuler_vec3_sub(s->v_e, truth.v_e)));
-
-    const schuler_mat3 C_b_n_true =
-        schuler_mat3_from_euler(reference->roll_rad, reference->pitch_rad, reference->heading_rad);
-    const schuler_mat3 C_n_b_true = schuler_mat3_transpose(&C_b_n_true);
-    const schuler_mat3 rotation = schuler_mat3_mul(C_b_n, &C_n_b_true);
-    const schuler_vec3 phi_n = schuler_quat_to_rotvec(schuler_quat_from_mat3(&rotation));
-    add_figure(&result->attitude_rad, schuler_vec3_norm(phi_n));
 }
 
 /* The height of the row as a barometer reads it. */
@@ -102,8 +78,9 @@ static schuler_status steady(navigation *nav, const schuler_trajectory_row *refe
     return SCHULER_OK;
 }
 
-/* At a reference time: hold, hand out the row, compare. The first row is the start itself. */
-static schuler_status report(navigation *nav, const schuler_trajectory_row *reference,
+/* At a reference time, off_s after the step: hold, hand out the row, compare. The first row is the
+ * start itself. */
+static schuler_status report(navigation *nav, const schuler_trajectory_row *reference, double off_s,
                              schuler_error *err)
 {
     const schuler_status status = steady(nav, reference, err);
@@ -113,8 +90,9 @@ static schuler_status report(navigation *nav, const schuler_trajectory_row *refe
     if (!is_finite(&s))
         return schuler_fail(err, SCHULER_ERR_NUMERIC, NULL,
                             "the navigator's state is no longer finite at %.9g s", reference->t_s);
+    if (off_s != 0.0) s.r_e = schuler_vec3_add(s.r_e, schuler_vec3_scale(off_s, s.v_e));
     schuler_mat3 C_b_n;
-    const schuler_trajectory_row row = row_of(&s, reference->t_s, &C_b_n);
+    const schuler_trajectory_row row = navigate_row(&s, reference->t_s, &C_b_n);
     if (row.llh.h_m < COMPARATOR_HEIGHT_MIN_M || row.llh.h_m > COMPARATOR_HEIGHT_MAX_M)
         return schuler_fail(
             err, SCHULER_ERR_NUMERIC, NULL,
@@ -130,7 +108,8 @@ static schuler_status report(navigation *nav, const schuler_trajectory_row *refe
                             reference->t_s, row.llh.lat_rad / SCHULER_RAD_PER_DEG,
                             nav->mechanization->name,
                             nav->mechanization->latitude_max_rad / SCHULER_RAD_PER_DEG);
-    if (nav->step > 0) add_errors(&nav->result, &s, row.llh.h_m, &C_b_n, reference);
+    if (nav->step > 0)
+        navigate_compare(&nav->result, &s, &row, &C_b_n, reference, reference->t_s - nav->in.t0_s);
     nav->result.rows++;
     return nav->options->row(nav->options->user, &row);
 }
@@ -173,8 +152,12 @@ static schuler_status advance_to(navigation *nav, int64_t step, int *reached, sc
 {
     *reached = 0;
     while (nav->step < step) {
-        const schuler_status status = schuler_increments_more(&nav->in, err);
-        if (status != SCHULER_OK) return status;
+        if (nav->in.used == nav->in.n) {
+            enter(nav, &nav->result.timing.reading_s);
+            const schuler_status status = schuler_increments_more(&nav->in, err);
+            enter(nav, &nav->result.timing.navigating_s);
+            if (status != SCHULER_OK) return status;
+        }
         if (nav->in.used == nav->in.n) return SCHULER_OK;
         if (nav->options->stop && *nav->options->stop)
             return schuler_fail(err, SCHULER_ERR_INTERRUPTED, NULL, "interrupted");
@@ -184,21 +167,85 @@ static schuler_status advance_to(navigation *nav, int64_t step, int *reached, sc
     return SCHULER_OK;
 }
 
-static schuler_status reference_step(const navigation *nav, double t_s, int64_t *step,
+/* The step of a time of the reference, and how long after it that is. */
+static schuler_status reference_step(navigation *nav, double t_s, int64_t *step, double *off_s,
                                      schuler_error *err)
 {
     enum { TIME = 0 };
-    const int on_grid = schuler_increments_on_grid(&nav->in, t_s, step);
-    if (t_s <= nav->in.t0_s + nav->result.duration_s)
+    const schuler_increments *const in = &nav->in;
+    const int on_grid = schuler_increments_on_grid(in->t0_s, in->dt_s, t_s, step);
+    const double before_s = in->t0_s + nav->result.duration_s;
+    *off_s = 0.0;
+    if (t_s <= before_s)
         return schuler_csv_refuse(nav->reference, TIME, err,
                                   "time %.17g s does not increase: the row before has %.17g s", t_s,
-                                  nav->in.t0_s + nav->result.duration_s);
+                                  before_s);
     if (on_grid && *step > nav->step) return SCHULER_OK;
+    const int noisy = in->irregular || in->read != in->rows ||
+                      nav->result.faults.of[SCHULER_FAULT_JITTER].count > 0;
+    if (noisy && *step > nav->step) {
+        *off_s = t_s - in->t0_s - (double)*step * in->dt_s;
+        schuler_fault_found(&nav->result.faults, SCHULER_FAULT_REFERENCE_BETWEEN,
+                            schuler_csv_line(nav->reference), fabs(*off_s));
+        return SCHULER_OK;
+    }
     return schuler_csv_refuse(
         nav->reference, TIME, err,
         "time %.17g s is not a time of the increments, which come every %.9g s "
         "from %.9g s on",
-        t_s, nav->in.dt_s, nav->in.t0_s);
+        t_s, in->dt_s, in->t0_s);
+}
+
+static schuler_recorded_sample sample_of(const schuler_trajectory_row *row)
+{
+    const schuler_nav_state s = schuler_trajectory_state(row);
+    return (schuler_recorded_sample){ row->t_s, s.r_e, s.v_e, s.q_b_e };
+}
+
+static void doubt_velocity(navigation *nav, const schuler_trajectory_row *row)
+{
+    const schuler_recorded_sample now = sample_of(row);
+    const double off_mps = schuler_velocity_doubt(&nav->before, &now, now.t_s - nav->before.t_s);
+    if (off_mps > 0.0)
+        schuler_fault_found(&nav->result.faults, SCHULER_FAULT_REFERENCE_VELOCITY,
+                            schuler_csv_line(nav->reference), off_mps);
+    nav->before = now;
+}
+
+/* The increments are at their end: what is left of the reference is only counted. */
+static schuler_status count_uncovered(navigation *nav, schuler_error *err)
+{
+    int got_row = 1;
+    schuler_status status = SCHULER_OK;
+    enter(nav, &nav->result.timing.reading_s);
+    nav->result.reference_goes_on = 1;
+    while (status == SCHULER_OK && got_row) {
+        schuler_trajectory_row row;
+        schuler_fault_found(&nav->result.faults, SCHULER_FAULT_REFERENCE_NOT_COVERED,
+                            schuler_csv_line(nav->reference), 0.0);
+        if (nav->options->stop && *nav->options->stop)
+            return schuler_fail(err, SCHULER_ERR_INTERRUPTED, NULL, "interrupted");
+        status = schuler_trajectory_next(nav->reference, &row, &got_row, err);
+    }
+    return status;
+}
+
+static schuler_status follow_row(navigation *nav, const schuler_trajectory_row *row, int *reached,
+                                 schuler_error *err)
+{
+    int64_t step;
+    double off_s;
+    schuler_status status = reference_step(nav, row->t_s, &step, &off_s, err);
+    if (status != SCHULER_OK) return status;
+    doubt_velocity(nav, row);
+    enter(nav, &nav->result.timing.navigating_s);
+    status = advance_to(nav, step, reached, err);
+    if (status != SCHULER_OK || !*reached) return status;
+    enter(nav, &nav->result.timing.comparing_s);
+    status = report(nav, row, off_s, err);
+    nav->result.duration_s = row->t_s - nav->in.t0_s;
+    nav->result.steps = nav->step;
+    return status;
 }
 
 static schuler_status follow_reference(navigation *nav, schuler_error *err)
@@ -207,20 +254,12 @@ static schuler_status follow_reference(navigation *nav, schuler_error *err)
     for (;;) {
         schuler_trajectory_row row;
         int got_row, reached;
-        int64_t step;
+        enter(nav, &nav->result.timing.reading_s);
         schuler_status status = schuler_trajectory_next(nav->reference, &row, &got_row, err);
         if (status != SCHULER_OK || !got_row) return status;
-        status = reference_step(nav, row.t_s, &step, err);
-        if (status == SCHULER_OK) status = advance_to(nav, step, &reached, err);
+        status = follow_row(nav, &row, &reached, err);
         if (status != SCHULER_OK) return status;
-        if (!reached) {
-            nav->result.reference_goes_on = 1;
-            return SCHULER_OK;
-        }
-        status = report(nav, &row, err);
-        if (status != SCHULER_OK) return status;
-        nav->result.duration_s = row.t_s - nav->in.t0_s;
-        nav->result.steps = nav->step;
+        if (!reached) return count_uncovered(nav, err);
         const double fraction = schuler_csv_fraction(nav->reference);
         if (nav->options->progress && fraction >= shown + 0.002)
             nav->options->progress(nav->options->user, shown = fraction);
@@ -260,19 +299,18 @@ static schuler_status prepare(navigation *nav, const schuler_trajectory_row *sta
     return SCHULER_OK;
 }
 
-static void finish(schuler_error_figures *f, int64_t rows)
-{
-    f->rms = rows > 0 ? sqrt(f->rms / (double)rows) : 0.0;
-}
-
 schuler_status schuler_navigate(const schuler_navigate_options *options,
                                 schuler_navigate_result *out, schuler_error *err)
 {
     navigation *nav = calloc(1, sizeof(*nav));
     if (!nav) return schuler_fail(err, SCHULER_ERR_MEMORY, NULL, "out of memory");
     nav->options = options;
-    schuler_trajectory_row start;
+    nav->in.bridge = options->bridge;
+    nav->in.stop = options->stop;
+    nav->in.faults = &nav->result.faults;
+    schuler_trajectory_row start = { 0 };
     int got_row = 0;
+    enter(nav, &nav->result.timing.reading_s);
     schuler_status status =
         schuler_csv_open(&nav->reference, options->reference_file, SCHULER_TRAJECTORY_HEADER, err);
     if (status == SCHULER_OK)
@@ -284,17 +322,20 @@ schuler_status schuler_navigate(const schuler_navigate_options *options,
     }
     if (status == SCHULER_OK)
         status = schuler_increments_open(&nav->in, options->imu_file, start.t_s, err);
+    enter(nav, &nav->result.timing.navigating_s);
     if (status == SCHULER_OK) status = prepare(nav, &start, err);
-    if (status == SCHULER_OK) status = report(nav, &start, err);
+    enter(nav, &nav->result.timing.comparing_s);
+    nav->before = sample_of(&start);
+    if (status == SCHULER_OK) status = report(nav, &start, 0.0, err);
     if (status == SCHULER_OK) status = follow_reference(nav, err);
-    if (status == SCHULER_OK) {
-        nav->result.dt_s = nav->in.dt_s;
-        *out = nav->result;
-        finish(&out->horizontal_m, out->rows - 1);
-        finish(&out->height_m, out->rows - 1);
-        finish(&out->velocity_mps, out->rows - 1);
-        finish(&out->attitude_rad, out->rows - 1);
-    }
+    enter(nav, NULL);
+    schuler_increments_judge(&nav->in);
+    nav->result.dt_s = nav->in.dt_s;
+    nav->result.rows_read = nav->in.rows;
+    nav->result.irregular = nav->in.irregular;
+    navigate_finish(&nav->result);
+    out->faults = nav->result.faults;
+    if (status == SCHULER_OK) *out = nav->result;
     schuler_csv_close(nav->reference);
     schuler_increments_close(&nav->in);
     schuler_field_close(nav->field);

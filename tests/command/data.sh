@@ -96,8 +96,10 @@ refuse imu '3s/^[^,]*/nan/' i.csv:3:1 "'nan' is not a number"
 refuse imu '3s/^[^,]*/0x1/' i.csv:3:1 "'0x1' is not a number"
 refuse imu '3s/^[^,]*/4e999/' i.csv:3:1 "is not a finite number"
 refuse imu '3s/.*//' i.csv:3 "fewer than the 7 numbers"
-refuse imu '4s/^[^,]*/0.03/' i.csv:4:1 "does not increase"
-refuse imu '4s/^[^,]*/0.07/' i.csv:4:1 "the rate is not constant"
+refuse imu '4s/^[^,]*/0.03/' i.csv:4:1 "time runs back from 0.04 s to 0.03 s"
+refuse imu '4s/^[^,]*/0.04/' i.csv:4:1 "time 0.04 s is repeated"
+refuse imu '4s/^[^,]*/0.0700001/' i.csv:4:1 "a gap"
+refuse imu '4d' i.csv:4:1 "a gap: 0.08 s follows 0.04 s, but the interval is 0.02 s"
 refuse imu '2s/^[^,]*/0/' i.csv:2:1 "is not after the reference's first time"
 refuse imu '2,$d' i.csv "no increments"
 refuse reference '2,$d' r.csv "no row to start from"
@@ -121,6 +123,6 @@ expect 0 "$SCHULER" navigate --imu imu.csv --reference reference.csv --out nav.c
 same dos_nav.csv nav.csv
 head -n 1001 imu.csv >short.csv
 expect 0 "$SCHULER" navigate --imu short.csv --reference reference.csv --out nav.csv
-has err "goes on after the last increment"
+has err "reference.csv:1003: warning: reference rows after the last sample: 5000"
 [ "$(wc -l <nav.csv)" -eq 1002 ] || complain "$(wc -l <nav.csv) lines"
 finish

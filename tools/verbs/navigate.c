@@ -6,9 +6,8 @@
 #include "tools/json.h"
 #include "tools/messages.h"
 #include "tools/names.h"
+#include "tools/navigate_report.h"
 #include "tools/outfile.h"
-#include "tools/page.h"
-#include "tools/result_units.h"
 #include "tools/stop.h"
 #include "tools/terminal.h"
 #include <string.h>
@@ -21,12 +20,14 @@ enum {
     KEY_GRAVITY,
     KEY_VERTICAL,
     KEY_CONING,
+    KEY_BRIDGE,
     KEY_JSON
 };
 
 typedef struct {
-    const char *out, *json, *frame, *vertical;
+    const char *out, *json;
     bool quiet;
+    navigate_names names;
     schuler_navigate_options options;
 } navigate_arguments;
 
@@ -39,7 +40,12 @@ static const struct argp_option options[] = {
     { "vertical", KEY_VERTICAL, "MODE", 0,
       "free (default), truth: held to the reference, or baro: steadied by its height", 0 },
     { "coning", KEY_CONING, "NAME", 0, "attitude algorithm (default cubic)", 0 },
-    { "json", KEY_JSON, "FILE", 0, "errors as JSON; - is standard output", 0 },
+    { "bridge", KEY_BRIDGE, NULL, 0,
+      "go on across gaps of up to a minute, filled with the row after, and leave out rows out of "
+      "time (default: an error)",
+      0 },
+    { "json", KEY_JSON, "FILE", 0,
+      "errors, their growth, faults of the data and timing as JSON; - is standard output", 0 },
     { "quiet", 'q', NULL, 0, "print no errors, no warnings, no progress", 0 },
     { 0 },
 };
@@ -62,7 +68,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_FRAME:
         names_of_frames(known);
         a->options.frame = arguments_choice(state, "--frame", arg, known);
-        a->frame = arg;
+        a->names.frame = arg;
         return 0;
     case KEY_GRAVITY:
         a->options.gravity = arg;
@@ -70,11 +76,14 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_VERTICAL:
         a->options.vertical =
             (schuler_vertical)arguments_choice(state, "--vertical", arg, verticals);
-        a->vertical = arg;
+        a->names.vertical = arg;
         return 0;
     case KEY_CONING:
         names_of_coning(known);
         a->options.coning = arguments_choice(state, "--coning", arg, known);
+        return 0;
+    case KEY_BRIDGE:
+        a->options.bridge = 1;
         return 0;
     case KEY_JSON:
         a->json = arg;
@@ -98,13 +107,16 @@ static const struct argp argp = {
     .options = options,
     .parser = parse,
     .args_doc = "--imu FILE --reference FILE --out FILE",
-    .doc = "Navigate over recorded increments: start from the reference's first row, write the "
-           "trajectory at the reference's times and print how far it is off. The format is that of "
-           "'schuler truth'; each time of the reference must be one of the increments' times."
-           "\vExamples:\n"
-           "  schuler navigate --imu imu.csv --reference reference.csv --out nav.csv\n"
-           "  schuler navigate --imu imu.csv --reference reference.csv --out nav.csv \\\n"
-           "      --vertical truth --json -\n" ARGUMENTS_EXIT_STATUS,
+    .doc =
+        "Navigate over recorded increments: start from the reference's first row, write the "
+        "trajectory at the reference's times and print how far it is off. The format is that of "
+        "'schuler truth'; each time of the reference must be one of the increments' times. What "
+        "is odd in the data is told: gaps, times repeated, backward or off the interval, spikes, "
+        "sensors that stand still, a reference that is not covered or does not fit itself."
+        "\vExamples:\n"
+        "  schuler navigate --imu imu.csv --reference reference.csv --out nav.csv\n"
+        "  schuler navigate --imu imu.csv --reference reference.csv --out nav.csv \\\n"
+        "      --vertical truth --json -\n" ARGUMENTS_EXIT_STATUS,
 };
 
 typedef struct {
@@ -126,91 +138,25 @@ static void on_progress(void *user, double fraction)
     progress_show(&s->bar, fraction);
 }
 
-/* The shown figures: name, JSON key and unit, and how many of the unit make the SI unit. */
-typedef struct {
-    const char *name, *key, *unit;
-    const schuler_error_figures *figures;
-    double per_si;
-} shown;
-
-enum { SHOWN = 4 };
-
-static void list_shown(const schuler_navigate_result *r, shown out[SHOWN])
-{
-    out[0] = (shown){ "horizontal position", "horizontal_m", "m", &r->horizontal_m, 1.0 };
-    out[1] = (shown){ "height", "height_m", "m", &r->height_m, 1.0 };
-    out[2] = (shown){ "velocity", "velocity_mps", "m/s", &r->velocity_mps, 1.0 };
-    out[3] = (shown){ "attitude", "attitude_arcsec", "arcsec", &r->attitude_rad,
-                      SCHULER_ARCSEC_PER_RAD };
-}
-
-static exit_code print_errors(const schuler_navigate_result *r, const navigate_arguments *a)
-{
-    page p;
-    shown lines[SHOWN];
-    page_open(&p);
-    if (!p.out) return page_show(&p);
-    list_shown(r, lines);
-    page_duration(p.out, r->duration_s);
-    fprintf(p.out, "   %lld increments of %g s   frame %s, gravity %s, vertical %s, coning %s\n\n",
-            (long long)r->steps, r->dt_s, a->frame, a->options.gravity, a->vertical,
-            schuler_coning_algorithms[a->options.coning].name);
-    fprintf(p.out, "  %-22s %15s %15s %15s\n", "error", "final", "max", "rms");
-    for (int i = 0; i < SHOWN; i++) {
-        const schuler_error_figures *f = lines[i].figures;
-        const double k = lines[i].per_si;
-        fprintf(p.out, "  %-22s %15.6g %15.6g %15.6g  %s\n", lines[i].name, k * f->final,
-                k * f->max, k * f->rms, lines[i].unit);
-    }
-    return page_show(&p);
-}
-
-static json_t *errors_json(const schuler_navigate_result *r, const navigate_arguments *a)
-{
-    shown lines[SHOWN];
-    list_shown(r, lines);
-    json_t *errors = json_object();
-    for (int i = 0; errors && i < SHOWN; i++) {
-        const schuler_error_figures *f = lines[i].figures;
-        const double k = lines[i].per_si;
-        json_object_set_new(errors, lines[i].key,
-                            json_pack("{s:o, s:o, s:o}", "final", json_of_number(k * f->final),
-                                      "max", json_of_number(k * f->max), "rms",
-                                      json_of_number(k * f->rms)));
-    }
-    return json_pack(
-        "{s:s, s:s, s:s, s:o, s:s, s:s, s:o, s:o, s:I, s:I, s:o}", "format", "schuler-navigate-1",
-        "version", SCHULER_VERSION, "frame", a->frame, "gravity", json_of_text(a->options.gravity),
-        "vertical", a->vertical, "coning", schuler_coning_algorithms[a->options.coning].name,
-        "dt_s", json_of_number(r->dt_s), "duration_s", json_of_number(r->duration_s), "increments",
-        (json_int_t)r->steps, "rows", (json_int_t)r->rows, "errors", errors);
-}
-
 static exit_code deliver(const schuler_navigate_result *r, const navigate_arguments *a, sink *s)
 {
     exit_code code = outfile_publish(&s->out);
     if (code != EXIT_DONE) return code;
-    if (r->reference_goes_on && !a->quiet)
-        say_warning(
-            "the reference goes on after the last increment; compared up to %.9g s after its "
-            "first row",
-            r->duration_s);
     if (r->rows == 1 && !a->quiet)
         say_warning("nothing to compare: only the reference's first row is left");
-    if (a->json) code = json_write(errors_json(r, a), a->json);
+    if (a->json) code = json_write(navigate_json(r, &a->options, &a->names), a->json);
     if (code == EXIT_DONE && !a->quiet && !(a->json && strcmp(a->json, "-") == 0))
-        code = print_errors(r, a);
+        code = navigate_print(r, &a->options, &a->names);
     return code;
 }
 
 exit_code verb_navigate(int argc, char **argv)
 {
     navigate_arguments a = {
-        .frame = "ecef",
-        .vertical = "free",
+        .names = { .frame = "ecef", .vertical = "free" },
         .options = { .gravity = "wgs84", .vertical = SCHULER_VERTICAL_FREE },
     };
-    a.options.frame = schuler_mechanization_find(a.frame);
+    a.options.frame = schuler_mechanization_find(a.names.frame);
     arguments_parse(&argp, argc, argv, &a);
     sink s = { .bar = progress_start(a.quiet) };
     exit_code code = outfile_open(&s.out, a.out);
@@ -221,11 +167,12 @@ exit_code verb_navigate(int argc, char **argv)
     a.options.user = &s;
     a.options.stop = stop_flag();
     stop_catch();
-    schuler_navigate_result result;
+    schuler_navigate_result result = { 0 };
     schuler_error error = { 0 };
     const schuler_status status = schuler_navigate(&a.options, &result, &error);
     progress_end(&s.bar);
     code = exit_of(status);
+    if (!a.quiet) navigate_warn(&result, &a.options);
     if (status == SCHULER_OK)
         code = deliver(&result, &a, &s);
     else if (status == SCHULER_ERR_INTERRUPTED)
