@@ -62,6 +62,11 @@ typedef struct {
 
 SCHULER_API void schuler_truth_at(const schuler_truth *truth, double t_s, schuler_truth_state *out);
 
+/** What a perfect IMU senses at one instant: inertial angular rate (rad/s) and specific force (m/s^2),
+ *  body axes, with all of the real world's gravity. Outside the path as schuler_path_at. */
+SCHULER_API void schuler_truth_rates(const schuler_truth *truth, double t_s,
+                                     schuler_vec3 *omega_ib_b, schuler_vec3 *f_ib_b);
+
 /** The navigator's gravity table, for mechanizations. */
 SCHULER_API const schuler_gravity_table *schuler_truth_nav_gravity(const schuler_truth *truth);
 SCHULER_API double schuler_truth_dt(const schuler_truth *truth);

@@ -3,8 +3,6 @@
 #include "scenarios/trajectory_file.h"
 #include "scenarios/digits.h"
 
-enum { TRAJECTORY_COLUMNS = 10, IMU_COLUMNS = 7 };
-
 schuler_nav_state schuler_trajectory_state(const schuler_trajectory_row *row)
 {
     const schuler_mat3 C_n_e = schuler_C_n_e(row->llh.lat_rad, row->llh.lon_rad);
@@ -16,7 +14,7 @@ schuler_nav_state schuler_trajectory_state(const schuler_trajectory_row *row)
                                 .q_b_e = schuler_quat_from_mat3(&C_b_e) };
 }
 
-static size_t put_line(char *text, const double *values, int count)
+size_t schuler_values_line(char *text, const double *values, int count)
 {
     char *p = text;
     for (int i = 0; i < count; i++) {
@@ -26,37 +24,40 @@ static size_t put_line(char *text, const double *values, int count)
     return (size_t)(p - text);
 }
 
+void schuler_trajectory_values(const schuler_trajectory_row *row,
+                               double values[SCHULER_TRAJECTORY_COLUMNS])
+{
+    values[0] = row->t_s;
+    values[1] = row->llh.lat_rad / SCHULER_RAD_PER_DEG;
+    values[2] = row->llh.lon_rad / SCHULER_RAD_PER_DEG;
+    values[3] = row->llh.h_m;
+    for (int i = 0; i < 3; i++) values[4 + i] = row->v_n.v[i];
+    values[7] = row->roll_rad / SCHULER_RAD_PER_DEG;
+    values[8] = row->pitch_rad / SCHULER_RAD_PER_DEG;
+    values[9] = row->heading_rad / SCHULER_RAD_PER_DEG;
+}
+
 size_t schuler_trajectory_line(char *text, const schuler_trajectory_row *row)
 {
-    const double values[TRAJECTORY_COLUMNS] = {
-        row->t_s,
-        row->llh.lat_rad / SCHULER_RAD_PER_DEG,
-        row->llh.lon_rad / SCHULER_RAD_PER_DEG,
-        row->llh.h_m,
-        row->v_n.v[0],
-        row->v_n.v[1],
-        row->v_n.v[2],
-        row->roll_rad / SCHULER_RAD_PER_DEG,
-        row->pitch_rad / SCHULER_RAD_PER_DEG,
-        row->heading_rad / SCHULER_RAD_PER_DEG,
-    };
-    return put_line(text, values, TRAJECTORY_COLUMNS);
+    double values[SCHULER_TRAJECTORY_COLUMNS];
+    schuler_trajectory_values(row, values);
+    return schuler_values_line(text, values, SCHULER_TRAJECTORY_COLUMNS);
 }
 
 size_t schuler_imu_line(char *text, double t_s, const double dtheta_ib_b[3],
                         const double dv_ib_b[3])
 {
-    const double values[IMU_COLUMNS] = {
+    const double values[SCHULER_IMU_COLUMNS] = {
         t_s, dtheta_ib_b[0], dtheta_ib_b[1], dtheta_ib_b[2], dv_ib_b[0], dv_ib_b[1], dv_ib_b[2],
     };
-    return put_line(text, values, IMU_COLUMNS);
+    return schuler_values_line(text, values, SCHULER_IMU_COLUMNS);
 }
 
 /* What a column may hold. Heights are those where gravity is known. */
 static const struct {
     const char *what, *unit;
     double min, max;
-} limits[TRAJECTORY_COLUMNS] = {
+} limits[SCHULER_TRAJECTORY_COLUMNS] = {
     { "time", "s", -1e12, 1e12 },      { "latitude", "deg", -90.0, 90.0 },
     { "longitude", "deg", -360, 360 }, { "height", "m", -1000.0, 50000.0 },
     { "velocity", "m/s", -1e4, 1e4 },  { "velocity", "m/s", -1e4, 1e4 },
@@ -67,10 +68,10 @@ static const struct {
 schuler_status schuler_trajectory_next(schuler_csv *csv, schuler_trajectory_row *row, int *got_row,
                                        schuler_error *err)
 {
-    double x[TRAJECTORY_COLUMNS];
+    double x[SCHULER_TRAJECTORY_COLUMNS];
     const schuler_status status = schuler_csv_next(csv, x, got_row, err);
     if (status != SCHULER_OK || !*got_row) return status;
-    for (int i = 0; i < TRAJECTORY_COLUMNS; i++)
+    for (int i = 0; i < SCHULER_TRAJECTORY_COLUMNS; i++)
         if (x[i] < limits[i].min || x[i] > limits[i].max)
             return schuler_csv_refuse(csv, i, err, "%s %g %s is outside %g .. %g %s",
                                       limits[i].what, x[i], limits[i].unit, limits[i].min,

@@ -16,6 +16,12 @@ SCHULER_BEGIN_C
 #define SCHULER_TRAJECTORY_HEADER                                                                  \
     "time_s,lat_deg,lon_deg,height_m,vn_mps,ve_mps,vd_mps,roll_deg,pitch_deg,heading_deg"
 
+/* Instantaneous values instead of increments, of body axes: rates, 'schuler truth --rates'. */
+#define SCHULER_RATES_HEADER                                                                       \
+    "time_s,omega_x_radps,omega_y_radps,omega_z_radps,f_x_mps2,f_y_mps2,f_z_mps2"
+
+enum { SCHULER_TRAJECTORY_COLUMNS = 10, SCHULER_IMU_COLUMNS = 7 };
+
 /* One row of a trajectory file. */
 typedef struct {
     double t_s;
@@ -28,6 +34,14 @@ typedef struct {
 SCHULER_API schuler_nav_state schuler_trajectory_state(const schuler_trajectory_row *row);
 
 enum { SCHULER_TRAJECTORY_LINE_MAX = 10 * 32, SCHULER_IMU_LINE_MAX = 7 * 32 };
+
+/** The row's numbers in the order and units of its columns. */
+SCHULER_API void schuler_trajectory_values(const schuler_trajectory_row *row,
+                                           double values[SCHULER_TRAJECTORY_COLUMNS]);
+
+/** Write numbers as a line, 17 significant digits.
+ *  Returned   text     room for 32 characters a number; as below */
+SCHULER_API size_t schuler_values_line(char *text, const double *values, int count);
 
 /** Write a row as a line of its file, 17 significant digits, with its newline, without a NUL.
  *  Returned   text     room for ..._LINE_MAX characters; the function returns how many were written

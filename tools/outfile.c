@@ -46,10 +46,10 @@ exit_code outfile_open(outfile *o, const char *path)
 }
 
 /* An earlier write failed and its errno is gone; most often the disk is full. */
-static int lost_reason(FILE *file)
+int outfile_reason(const outfile *o)
 {
     struct statvfs space;
-    return fstatvfs(fileno(file), &space) == 0 && space.f_bavail == 0 ? ENOSPC : EIO;
+    return fstatvfs(fileno(o->file), &space) == 0 && space.f_bavail == 0 ? ENOSPC : EIO;
 }
 
 exit_code outfile_complete(outfile *o)
@@ -57,7 +57,7 @@ exit_code outfile_complete(outfile *o)
     if (!o->file) return EXIT_DONE;
     int reason = 0;
     if (fflush(o->file) == EOF) reason = errno;
-    if (!reason && ferror(o->file)) reason = lost_reason(o->file);
+    if (!reason && ferror(o->file)) reason = outfile_reason(o);
     if (fclose(o->file) == EOF && !reason) reason = errno;
     o->file = NULL;
     if (reason) {
