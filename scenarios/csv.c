@@ -2,6 +2,8 @@
 #include "scenarios/csv.h"
 #include "scenarios/csv_lines.h"
 #include "scenarios/decimal.h"
+#include "scenarios/netcdf.h"
+#include "scenarios/netcdf_rows.h"
 #include <locale.h>
 #include <math.h>
 #include <stdarg.h>
@@ -10,8 +12,9 @@
 #include <string.h>
 
 struct schuler_csv {
+    netcdf_rows *netcdf; /* then all below but the header is idle */
     csv_lines lines;
-    const char *header;
+    const char *path, *header;
     locale_t c_locale; /* numbers have a point, whatever the program's locale */
     int columns;
     char *text; /* the line last read, without its end */
@@ -38,9 +41,10 @@ static schuler_status fail_at(const schuler_csv *csv, int offset, int width, sch
 {
     char message[SCHULER_MESSAGE_MAX];
     vsnprintf(message, sizeof(message), format, arguments);
-    const schuler_place place = { csv->lines.path, csv->lines.number, offset + 1, width };
+    const schuler_place place = { csv->path, schuler_csv_line(csv), csv->netcdf ? 0 : offset + 1,
+                                  width };
     schuler_fail(err, SCHULER_ERR_INPUT, &place, "%s", message);
-    if (err)
+    if (err && !csv->netcdf)
         snprintf(err->excerpt, sizeof(err->excerpt), "%.*s", SCHULER_EXCERPT_MAX - 1, csv->text);
     return SCHULER_ERR_INPUT;
 }
@@ -60,8 +64,8 @@ schuler_status schuler_csv_refuse(const schuler_csv *csv, int column, schuler_er
 {
     va_list arguments;
     va_start(arguments, format);
-    int width;
-    const int offset = (int)(field_of(csv, column, &width) - csv->text);
+    int width = 0;
+    const int offset = csv->netcdf ? 0 : (int)(field_of(csv, column, &width) - csv->text);
     const schuler_status status = fail_at(csv, offset, width, err, format, arguments);
     va_end(arguments);
     return status;
@@ -116,7 +120,14 @@ schuler_status schuler_csv_open(schuler_csv **out, const char *path, const char 
     schuler_csv *csv = calloc(1, sizeof(*csv));
     if (!csv) goto no_memory;
     csv->lines.fd = -1;
+    csv->path = path;
     csv->header = header;
+    if (schuler_netcdf_named(path)) {
+        status = netcdf_rows_open(&csv->netcdf, path, header, err);
+        if (status != SCHULER_OK) goto failed;
+        *out = csv;
+        return SCHULER_OK;
+    }
     csv->c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (!csv->c_locale) goto no_memory;
     int got;
@@ -141,6 +152,7 @@ failed:
 void schuler_csv_close(schuler_csv *csv)
 {
     if (!csv) return;
+    netcdf_rows_close(csv->netcdf);
     csv_lines_close(&csv->lines);
     if (csv->c_locale) freelocale(csv->c_locale);
     free(csv);
@@ -171,6 +183,7 @@ static schuler_status read_carefully(const schuler_csv *csv, double *values, sch
 
 schuler_status schuler_csv_next(schuler_csv *csv, double *values, int *got_row, schuler_error *err)
 {
+    if (csv->netcdf) return netcdf_rows_next(csv->netcdf, values, got_row, err);
     const schuler_status status =
         csv_lines_next(&csv->lines, &csv->text, &csv->length, got_row, err);
     if (status != SCHULER_OK || !*got_row) return status;
@@ -190,11 +203,12 @@ schuler_status schuler_csv_next(schuler_csv *csv, double *values, int *got_row, 
 
 int schuler_csv_line(const schuler_csv *csv)
 {
-    return csv->lines.number;
+    return csv->netcdf ? netcdf_rows_number(csv->netcdf) : csv->lines.number;
 }
 
 double schuler_csv_fraction(const schuler_csv *csv)
 {
+    if (csv->netcdf) return netcdf_rows_fraction(csv->netcdf);
     if (csv->lines.size_bytes <= 0.0) return 0.0;
     return fmin(csv->lines.read_bytes / csv->lines.size_bytes, 1.0);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Strict reading of tables of numbers: one header line with exactly the expected names, then rows
- * of as many numbers. Streams, so memory does not grow with the file. */
+ * of as many numbers. Streams, so memory does not grow with the file. A file whose name ends with .nc is
+ * read as NetCDF: variables of those names, along one dimension; a place's line is then the row. */
 #ifndef SCHULER_SCENARIOS_CSV_H
 #define SCHULER_SCENARIOS_CSV_H
 
@@ -35,7 +36,7 @@ SCHULER_API schuler_status schuler_csv_refuse(const schuler_csv *csv, int column
                                               schuler_error *err, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/** The line of the row last read, from 1; the header is the first. */
+/** The line of the row last read, from 1; the header is the first. Of NetCDF the row, from 1. */
 SCHULER_API int schuler_csv_line(const schuler_csv *csv);
 
 /** Part of the file that has been read, in [0, 1]; 0 when its size is not known. */

@@ -8,24 +8,42 @@
 
 __extension__ typedef unsigned __int128 wide;
 
-enum { SIGNIFICANT = 17, POWERS = 28 };
+enum { SIGNIFICANT = 17, HALF = 27, POWERS = 2 * HALF + 1 };
 
 static const uint64_t LOWEST = 10000000000000000u;    /* 10^16: smallest number of 17 digits */
 static const uint64_t TOO_MANY = 100000000000000000u; /* 10^17 */
 
-/* round(m 2^e 10^p) to even, exactly: m has 53 bits and 5^p at most 63, so the product fits in 128.
- * The caller sees to 0 <= p < POWERS and to a result below 10^18. */
-static uint64_t scaled(uint64_t m, int e, int p)
+static uint64_t power_of_five(int p)
 {
     uint64_t five = 1;
     for (int i = 0; i < p; i++) five *= 5;
-    const wide product = (wide)m * five;
-    const int shift = -(e + p);
+    return five;
+}
+
+/* round((high 2^64 + low) 2^-shift) to even. */
+static uint64_t rounded(wide high, uint64_t low, int shift)
+{
+    const wide one = 1;
+    const bool far = shift > 64; /* the point lies within high */
+    const uint64_t whole =
+        far ? (uint64_t)(high >> (shift - 64)) : (uint64_t)(((high << 64) | low) >> shift);
+    const wide rest = far ? high & ((one << (shift - 64)) - 1) : low & ((one << shift) - 1);
+    const wide half = one << (far ? shift - 65 : shift - 1);
+    const bool above = rest > half || (rest == half && far && low > 0);
+    return whole + (above || (rest == half && (whole & 1)) ? 1 : 0);
+}
+
+/* round(m 2^e 10^p) to even, exactly: m has 53 bits, 5^p at most 63 for each half of the powers, so the
+ * product fits in 128 bits, or in 192. The caller sees to 0 <= p < POWERS and to a result below 10^18. */
+static uint64_t scaled(uint64_t m, int e, int p)
+{
+    const int first = p < HALF ? p : HALF, shift = -(e + p);
+    const wide product = (wide)m * power_of_five(first);
     if (shift <= 0) return (uint64_t)(product << -shift);
-    const wide half = (wide)1 << (shift - 1);
-    const wide rest = product & ((half << 1) - 1);
-    const uint64_t whole = (uint64_t)(product >> shift);
-    return whole + (rest > half || (rest == half && (whole & 1)) ? 1 : 0);
+    if (p == first) return rounded(product >> 64, (uint64_t)product, shift);
+    const uint64_t more = power_of_five(p - first);
+    const wide low = (wide)(uint64_t)product * more;
+    return rounded((product >> 64) * more + (low >> 64), (uint64_t)low, shift);
 }
 
 /* 17 digits and decimal exponent of a positive normal number, or false when it is out of reach. */

@@ -23,7 +23,7 @@ typedef struct {
     int64_t before_step; /* of the reference row before */
     schuler_baro_gains gains;
     schuler_baro_loop loop;
-    schuler_recorded_sample before; /* the reference's */
+    schuler_recorded_sample before; /* the reference's row last read */
     schuler_navigate_result result;
     double *stage_s; /* where the time since since_s goes */
     double since_s;
@@ -109,7 +109,8 @@ static schuler_status report(navigation *nav, const schuler_trajectory_row *refe
                             nav->mechanization->name,
                             nav->mechanization->latitude_max_rad / SCHULER_RAD_PER_DEG);
     if (nav->step > 0)
-        navigate_compare(&nav->result, &s, &row, &C_b_n, reference, reference->t_s - nav->in.t0_s);
+        navigate_compare(&nav->result, &s, &row, &C_b_n, reference, &nav->before,
+                         reference->t_s - nav->in.t0_s);
     nav->result.rows++;
     return nav->options->row(nav->options->user, &row);
 }

@@ -14,14 +14,12 @@ schuler_trajectory_row navigate_row(const schuler_nav_state *s, double t_s, schu
     return row;
 }
 
-static schuler_navigate_errors errors_of(const schuler_nav_state *s,
-                                         const schuler_trajectory_row *row,
-                                         const schuler_mat3 *C_b_n,
-                                         const schuler_trajectory_row *reference)
+static schuler_navigate_errors
+errors_of(const schuler_nav_state *s, const schuler_trajectory_row *row, const schuler_mat3 *C_b_n,
+          const schuler_trajectory_row *reference, const schuler_recorded_sample *truth)
 {
-    const schuler_nav_state truth = schuler_trajectory_state(reference);
     const schuler_mat3 C_n_e = schuler_C_n_e(reference->llh.lat_rad, reference->llh.lon_rad);
-    const schuler_vec3 dr_e = schuler_vec3_sub(s->r_e, truth.r_e);
+    const schuler_vec3 dr_e = schuler_vec3_sub(s->r_e, truth->r_e);
     const schuler_vec3 dr_n = schuler_mat3_apply_transposed(&C_n_e, dr_e);
     const schuler_mat3 C_b_n_true =
         schuler_mat3_from_euler(reference->roll_rad, reference->pitch_rad, reference->heading_rad);
@@ -31,7 +29,7 @@ static schuler_navigate_errors errors_of(const schuler_nav_state *s,
     return (schuler_navigate_errors){
         .horizontal_m = hypot(dr_n.v[0], dr_n.v[1]),
         .height_m = row->llh.h_m - reference->llh.h_m,
-        .velocity_mps = schuler_vec3_norm(schuler_vec3_sub(s->v_e, truth.v_e)),
+        .velocity_mps = schuler_vec3_norm(schuler_vec3_sub(s->v_e, truth->v_e)),
         .attitude_rad = schuler_vec3_norm(phi_n),
     };
 }
@@ -60,9 +58,10 @@ static int come(double elapsed_s)
 
 void navigate_compare(schuler_navigate_result *result, const schuler_nav_state *s,
                       const schuler_trajectory_row *row, const schuler_mat3 *C_b_n,
-                      const schuler_trajectory_row *reference, double elapsed_s)
+                      const schuler_trajectory_row *reference, const schuler_recorded_sample *truth,
+                      double elapsed_s)
 {
-    const schuler_navigate_errors e = errors_of(s, row, C_b_n, reference);
+    const schuler_navigate_errors e = errors_of(s, row, C_b_n, reference, truth);
     add_figure(&result->horizontal_m, e.horizontal_m);
     add_figure(&result->height_m, e.height_m);
     add_figure(&result->velocity_mps, e.velocity_mps);

@@ -3,6 +3,7 @@
 #ifndef SCHULER_SCENARIOS_NAVIGATE_ERRORS_H
 #define SCHULER_SCENARIOS_NAVIGATE_ERRORS_H
 
+#include "core/trajectory.h"
 #include "scenarios/navigate.h"
 
 /** The state as a row of a trajectory.
@@ -11,10 +12,12 @@ schuler_trajectory_row navigate_row(const schuler_nav_state *s, double t_s, schu
 
 /** Compare with a row of the reference; rms holds sums of squares until navigate_finish.
  *  Given      s, row, C_b_n   the navigator, as navigate_row gives it
+ *             truth           the reference as vectors
  *             elapsed_s       since the start */
 void navigate_compare(schuler_navigate_result *result, const schuler_nav_state *s,
                       const schuler_trajectory_row *row, const schuler_mat3 *C_b_n,
-                      const schuler_trajectory_row *reference, double elapsed_s);
+                      const schuler_trajectory_row *reference, const schuler_recorded_sample *truth,
+                      double elapsed_s);
 void navigate_finish(schuler_navigate_result *result);
 
 #endif

@@ -17,6 +17,12 @@ static const struct {
     { "nc_put_att_ulonglong", offsetof(netcdf_library, put_att_ulonglong) },
     { "nc_enddef", offsetof(netcdf_library, enddef) },
     { "nc_put_vara_double", offsetof(netcdf_library, put_vara_double) },
+    { "nc_open", offsetof(netcdf_library, open) },
+    { "nc_inq_varid", offsetof(netcdf_library, inq_varid) },
+    { "nc_inq_varndims", offsetof(netcdf_library, inq_varndims) },
+    { "nc_inq_vardimid", offsetof(netcdf_library, inq_vardimid) },
+    { "nc_inq_dimlen", offsetof(netcdf_library, inq_dimlen) },
+    { "nc_get_vara_double", offsetof(netcdf_library, get_vara_double) },
     { "nc_close", offsetof(netcdf_library, close) },
 };
 

@@ -17,6 +17,12 @@ typedef struct {
     __typeof__(nc_put_att_ulonglong) *put_att_ulonglong;
     __typeof__(nc_enddef) *enddef;
     __typeof__(nc_put_vara_double) *put_vara_double;
+    __typeof__(nc_open) *open;
+    __typeof__(nc_inq_varid) *inq_varid;
+    __typeof__(nc_inq_varndims) *inq_varndims;
+    __typeof__(nc_inq_vardimid) *inq_vardimid;
+    __typeof__(nc_inq_dimlen) *inq_dimlen;
+    __typeof__(nc_get_vara_double) *get_vara_double;
     __typeof__(nc_close) *close;
 } netcdf_library;
 

@@ -32,6 +32,16 @@ expect 0 "$SCHULER" truth mission.yaml --imu-out i.nc --reference-out r.nc --ref
 same i.nc once.nc
 expect 0 "$SCHULER" truth mission.yaml --imu-out i.csv --reference-out r.csv --reference-every '10 s' --set 'imu.rate=10 Hz'
 
+# Read back, they are the same data.
+expect 0 "$SCHULER" navigate --imu i.nc --reference r.nc --out nav_nc.csv
+expect 0 "$SCHULER" navigate --imu i.csv --reference r.csv --out nav.csv
+same nav_nc.csv nav.csv
+head -c 5000 i.nc >torn.nc
+expect 2 "$SCHULER" navigate --imu torn.nc --reference r.nc --out nav.csv
+has err "torn.nc: error: cannot be read"
+expect 2 "$SCHULER" navigate --imu r.nc --reference r.nc --out nav.csv
+has err "there is no variable 'dtheta_x_rad'"
+
 # What cannot hold one, and what goes wrong, leaves nothing.
 expect 2 "$SCHULER" truth mission.yaml --imu-out bad.nc --set 'imu.rate=0 Hz'
 absent bad.nc

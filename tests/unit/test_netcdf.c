@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* NetCDF files written here, read back by the NetCDF library itself. */
 #include "check.h"
+#include "scenarios/csv.h"
 #include "scenarios/netcdf.h"
 #include "scenarios/trajectory_file.h"
 #include <netcdf.h>
@@ -9,7 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
-static char path[] = "/tmp/test_netcdf.XXXXXX";
+static char path[] = "/tmp/test_netcdf.XXXXXX.nc";
 
 enum { ROWS = 20000 }; /* more than two of the writer's blocks */
 
@@ -100,6 +101,88 @@ static void a_file_that_cannot_be_made_is_an_error(void **state)
     assert_string_equal(error.place.file, "/nowhere/x.nc");
 }
 
+/* By the reader of tables, which takes either kind of file. */
+static void rows_are_read_like_those_of_a_csv_file(void **state)
+{
+    schuler_csv *csv = NULL;
+    double x[SCHULER_CSV_COLUMNS_MAX];
+    schuler_error error = { 0 };
+    int got;
+    (void)state;
+    assert_int_equal(write_rows(ROWS, ROWS, NULL), SCHULER_OK);
+    assert_int_equal(schuler_csv_open(&csv, path, SCHULER_IMU_HEADER, NULL), SCHULER_OK);
+    for (int k = 0; k < ROWS; k++) {
+        assert_int_equal(schuler_csv_next(csv, x, &got, NULL), SCHULER_OK);
+        assert_int_equal(got, 1);
+        for (int i = 0; i < SCHULER_IMU_COLUMNS; i++) CHECK_NEAR(x[i], k / 3.0 + i * 1e6, 0.0);
+    }
+    CHECK_NEAR(schuler_csv_fraction(csv), 1.0, 0.0);
+    schuler_csv_refuse(csv, 3, &error, "no");
+    assert_int_equal(error.place.line, ROWS);
+    assert_int_equal(error.place.column, 0);
+    assert_int_equal(schuler_csv_next(csv, x, &got, NULL), SCHULER_OK);
+    assert_int_equal(got, 0);
+    schuler_csv_close(csv);
+    assert_int_equal(schuler_csv_open(&csv, path, SCHULER_RATES_HEADER, &error), SCHULER_ERR_INPUT);
+    assert_non_null(strstr(error.message, "no variable 'omega_x_radps'"));
+}
+
+/* A file with variables a and b, b along so many dimensions, or another one; row 3 of b is b2. */
+static void put_odd(int dimensions, int other, double b2)
+{
+    const double a[4] = { 0, 1, 2, 3 }, b[4] = { 5, 6, b2, 8 };
+    int id, dim[2], va, vb;
+    assert_int_equal(nc_create(path, NC_NETCDF4, &id), NC_NOERR);
+    nc_def_dim(id, "n", 4, &dim[0]);
+    nc_def_dim(id, "m", 1, &dim[1]);
+    nc_def_var(id, "a", NC_DOUBLE, 1, &dim[0], &va);
+    nc_def_var(id, "b", NC_DOUBLE, dimensions, &dim[other], &vb);
+    nc_enddef(id);
+    assert_int_equal(nc_put_var_double(id, va, a), NC_NOERR);
+    assert_int_equal(nc_put_var_double(id, vb, b), NC_NOERR);
+    nc_close(id);
+}
+
+static schuler_status read_odd(int *rows, schuler_error *err)
+{
+    schuler_csv *csv = NULL;
+    double x[SCHULER_CSV_COLUMNS_MAX];
+    int got = 1;
+    *rows = 0;
+    schuler_status status = schuler_csv_open(&csv, path, "a,b", err);
+    while (status == SCHULER_OK && got) {
+        status = schuler_csv_next(csv, x, &got, err);
+        *rows += status == SCHULER_OK && got;
+    }
+    schuler_csv_close(csv);
+    return status;
+}
+
+static void what_is_no_table_is_refused(void **state)
+{
+    schuler_error error = { 0 };
+    int rows;
+    (void)state;
+    put_odd(1, 0, 7.0);
+    assert_int_equal(read_odd(&rows, &error), SCHULER_OK);
+    assert_int_equal(rows, 4);
+    put_odd(1, 0, (double)NAN);
+    assert_int_equal(read_odd(&rows, &error), SCHULER_ERR_INPUT);
+    assert_int_equal(rows, 2);
+    assert_int_equal(error.place.line, 3);
+    assert_string_equal(error.message, "'b' is not a finite number");
+    put_odd(2, 0, 7.0);
+    assert_int_equal(read_odd(&rows, &error), SCHULER_ERR_INPUT);
+    assert_non_null(strstr(error.message, "'b' is not along"));
+    put_odd(1, 1, 7.0);
+    assert_int_equal(read_odd(&rows, &error), SCHULER_ERR_INPUT);
+    FILE *const file = fopen(path, "w");
+    fputs("a,b\n1,2\n", file);
+    fclose(file);
+    assert_int_equal(read_odd(&rows, &error), SCHULER_ERR_FILE);
+    assert_string_equal(error.place.file, path);
+}
+
 static void names_say_what_is_wanted(void **state)
 {
     (void)state;
@@ -132,7 +215,7 @@ static void columns_are_those_of_the_csv_files(void **state)
 static int make_file(void **state)
 {
     (void)state;
-    const int fd = mkstemp(path);
+    const int fd = mkstemps(path, 3);
     return fd < 0 ? -1 : close(fd);
 }
 
@@ -148,6 +231,8 @@ int main(void)
         cmocka_unit_test(numbers_come_back_with_their_units),
         cmocka_unit_test(missing_rows_are_an_error),
         cmocka_unit_test(a_file_that_cannot_be_made_is_an_error),
+        cmocka_unit_test(rows_are_read_like_those_of_a_csv_file),
+        cmocka_unit_test(what_is_no_table_is_refused),
         cmocka_unit_test(names_say_what_is_wanted),
         cmocka_unit_test(columns_are_those_of_the_csv_files),
     };

@@ -32,8 +32,9 @@ typedef struct {
 } navigate_arguments;
 
 static const struct argp_option options[] = {
-    { "imu", KEY_IMU, "FILE", 0, "recorded increments, CSV", 0 },
-    { "reference", KEY_REFERENCE, "FILE", 0, "trajectory to start from and compare with, CSV", 0 },
+    { "imu", KEY_IMU, "FILE", 0, "recorded increments, CSV or NetCDF (.nc)", 0 },
+    { "reference", KEY_REFERENCE, "FILE", 0,
+      "trajectory to start from and compare with, CSV or NetCDF", 0 },
     { "out", KEY_OUT, "FILE", 0, "the navigator's trajectory, at the reference's times", 0 },
     { "frame", KEY_FRAME, "NAME", 0, "navigation frame (default ecef)", 0 },
     { "gravity", KEY_GRAVITY, "NAME", 0, "wgs84 (default), grs80 or an installed data set", 0 },
