@@ -13,12 +13,14 @@ enum { SIGNIFICANT = 17, HALF = 27, POWERS = 2 * HALF + 1 };
 static const uint64_t LOWEST = 10000000000000000u;    /* 10^16: smallest number of 17 digits */
 static const uint64_t TOO_MANY = 100000000000000000u; /* 10^17 */
 
-static uint64_t power_of_five(int p)
-{
-    uint64_t five = 1;
-    for (int i = 0; i < p; i++) five *= 5;
-    return five;
-}
+/* clang-format off */
+static const uint64_t power_of_five[HALF + 1] = {
+    1, 5, 25, 125, 625, 3125, 15625, 78125, 390625, 1953125, 9765625, 48828125, 244140625,
+    1220703125, 6103515625u, 30517578125u, 152587890625u, 762939453125u, 3814697265625u,
+    19073486328125u, 95367431640625u, 476837158203125u, 2384185791015625u, 11920928955078125u,
+    59604644775390625u, 298023223876953125u, 1490116119384765625u, 7450580596923828125u,
+};
+/* clang-format on */
 
 /* round((high 2^64 + low) 2^-shift) to even. */
 static uint64_t rounded(wide high, uint64_t low, int shift)
@@ -38,10 +40,10 @@ static uint64_t rounded(wide high, uint64_t low, int shift)
 static uint64_t scaled(uint64_t m, int e, int p)
 {
     const int first = p < HALF ? p : HALF, shift = -(e + p);
-    const wide product = (wide)m * power_of_five(first);
+    const wide product = (wide)m * power_of_five[first];
     if (shift <= 0) return (uint64_t)(product << -shift);
     if (p == first) return rounded(product >> 64, (uint64_t)product, shift);
-    const uint64_t more = power_of_five(p - first);
+    const uint64_t more = power_of_five[p - first];
     const wide low = (wide)(uint64_t)product * more;
     return rounded((product >> 64) * more + (low >> 64), (uint64_t)low, shift);
 }
@@ -49,11 +51,12 @@ static uint64_t scaled(uint64_t m, int e, int p)
 /* 17 digits and decimal exponent of a positive normal number, or false when it is out of reach. */
 static bool shift_to_digits(double x, uint64_t *digits, int *exponent)
 {
-    int e;
-    const uint64_t m = (uint64_t)ldexp(frexp(x, &e), 53);
-    e -= 53;
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    const uint64_t m = (bits & ((1ull << 52) - 1)) | 1ull << 52;
+    const int e = (int)(bits >> 52) - 1075; /* x = m 2^e */
     /* floor(log2 x) log10(2) is the exponent or one less: 78913/2^18 is log10(2) to 2e-6. */
-    int d = (int)floor((double)(e + 52) * (78913.0 / 262144.0));
+    int d = ((e + 52) * 78913) >> 18;
     for (;; d++) {
         const int p = SIGNIFICANT - 1 - d;
         if (p < 0 || p >= POWERS) return false;
@@ -120,7 +123,13 @@ size_t schuler_digits(char *text, double x)
     }
     if (!isnormal(x) || !shift_to_digits(size, &digits, &exponent)) return by_printf(text, x);
     char written[SIGNIFICANT];
-    for (int i = SIGNIFICANT - 1; i >= 0; i--, digits /= 10) written[i] = (char)('0' + digits % 10);
+    /* Two chains of divisions, side by side. */
+    uint32_t high = (uint32_t)(digits / 100000000), low = (uint32_t)(digits % 100000000);
+    for (int i = 0; i < 8; i++, high /= 10, low /= 10) {
+        written[SIGNIFICANT - 1 - i] = (char)('0' + low % 10);
+        written[SIGNIFICANT - 9 - i] = (char)('0' + high % 10);
+    }
+    written[0] = (char)('0' + high);
     int count = SIGNIFICANT;
     while (count > 1 && written[count - 1] == '0') count--;
     size_t n = 0;
