@@ -57,8 +57,9 @@ static void step_aside(schuler_increments *in, sampling_step step, double t_s)
     if (!in->bridge) fail_once(in, text, "; --bridge goes on across it");
     in->repeat = 0;
     if (step != SAMPLING_GAP) return;
-    if (off_s > SCHULER_BRIDGED_S) {
-        if (in->bridge) fail_once(in, text, "; more than a minute is not bridged");
+    if (off_s > SCHULER_BRIDGED_S && in->bridge)
+        fail_once(in, text, "; more than a minute is not bridged");
+    if (in->failed) {
         in->repeat = 1;
     } else {
         in->repeat = (int64_t)nearbyint((t_s - in->t0_s) / in->dt_s) - in->read;
