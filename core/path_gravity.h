@@ -50,4 +50,7 @@ void schuler_path_gravity_free(schuler_path_gravity *g);
 void schuler_path_gravity_fill(const schuler_path_gravity *g, double dt_s, int64_t first, int n,
                                schuler_columns out[SCHULER_PATH_PARTS]);
 
+/** One part at one instant, m/s^2; outside the path the value at its end. */
+schuler_vec3 schuler_path_gravity_at(const schuler_path_gravity *g, int part, double t_s);
+
 #endif

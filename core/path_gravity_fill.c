@@ -47,3 +47,16 @@ void schuler_path_gravity_fill(const schuler_path_gravity *g, double dt_s, int64
             }
     }
 }
+
+schuler_vec3 schuler_path_gravity_at(const schuler_path_gravity *g, int part, double t_s)
+{
+    schuler_vec3 dg_e = { { 0.0, 0.0, 0.0 } };
+    if (g->count == 0 || !g->has[part]) return dg_e;
+    const schuler_path_gravity_interval *const interval = &g->intervals[find(g, t_s)];
+    const double s =
+        fmin(fmax((t_s - interval->t0_s) * 2.0 / interval->duration_s - 1.0, -1.0), 1.0);
+    for (int i = 0; i < 3; i++)
+        for (int k = interval->terms - 1; k >= 0; k--)
+            dg_e.v[i] = dg_e.v[i] * s + interval->dg_e[part][i][k];
+    return dg_e;
+}
