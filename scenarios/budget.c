@@ -30,7 +30,7 @@ static void row_release(schuler_budget_row *row)
 schuler_budget_row *schuler_budget_row_at(schuler_result *result, const simulation_plan *plan,
                                           int row)
 {
-    if (row < plan->count) return &result->rows[row];
+    if (row < plan->rows) return &result->rows[row];
     return row == plan_row_all(plan) ? &result->all : &result->none;
 }
 
@@ -51,7 +51,7 @@ schuler_result *schuler_budget_create(const simulation_plan *plan)
     r->steps = plan->steps;
     r->duration_s = (double)plan->steps / plan->scenario->imu.rate_hz;
     r->time_count = plan->reports;
-    r->row_count = (size_t)plan->count + (numerical_wanted(plan) ? 1 : 0);
+    r->row_count = (size_t)plan->rows + (plan->rows > 0 && numerical_wanted(plan) ? 1 : 0);
     r->rows = calloc(r->row_count + 1, sizeof(*r->rows));
     r->times_s = calloc(r->time_count, sizeof(double));
     int good = r->rows && r->times_s;
@@ -61,7 +61,7 @@ schuler_result *schuler_budget_create(const simulation_plan *plan)
         b->value_text = "";
         snprintf(b->id, sizeof(b->id), "%s", schuler_plan_row_id(plan, row));
         good = row_allocate(b, b->drawn ? r->runs : 1, r->time_count);
-        if (row >= plan->count) continue;
+        if (row >= plan->rows) continue;
         const error_source *s = &plan->sources[row];
         snprintf(b->group, sizeof(b->group), "%s", s->group);
         if (s->value) {
@@ -69,8 +69,8 @@ schuler_result *schuler_budget_create(const simulation_plan *plan)
             b->assumed = s->value->assumed;
         }
     }
-    if (good && r->row_count > (size_t)plan->count) {
-        schuler_budget_row *b = &r->rows[plan->count];
+    if (good && r->row_count > (size_t)plan->rows) {
+        schuler_budget_row *b = &r->rows[plan->rows];
         snprintf(b->id, sizeof(b->id), "%s", numerical_id);
         snprintf(b->group, sizeof(b->group), "%s", numerical_id);
         b->value_text = "";
@@ -122,8 +122,7 @@ schuler_status schuler_budget_finish(schuler_result *r, const simulation_plan *p
         for (size_t i = 0; i < r->time_count; i++)
             b->rms_curve_m[i] = sqrt(b->rms_curve_m[i] / b->runs);
     }
-    if (r->row_count > (size_t)plan->count)
-        copy_row(&r->rows[plan->count], &r->none, r->time_count);
+    if (r->row_count > (size_t)plan->rows) copy_row(&r->rows[plan->rows], &r->none, r->time_count);
 
     double end2 = 0.0, max2 = 0.0;
     schuler_status status = schuler_row_summarise(&r->all);

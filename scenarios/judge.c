@@ -71,7 +71,9 @@ static schuler_status bounds(schuler_statistic statistic, const schuler_budget_r
 schuler_status schuler_judge(const schuler_requirement *requirement, const schuler_budget_row *all,
                              schuler_judgement *out)
 {
-    schuler_judgement judgement = { .confidence = 0.95, .verdict = SCHULER_VERDICT_NONE };
+    const double asked = requirement->confidence;
+    schuler_judgement judgement = { .confidence = asked > 0.0 ? asked : 0.95,
+                                    .verdict = SCHULER_VERDICT_NONE };
     if (!requirement->given) {
         *out = judgement;
         return SCHULER_OK;

@@ -27,13 +27,13 @@ int schuler_hold_interval(const simulation_plan *p)
 
 bool schuler_plan_row_drawn(const simulation_plan *p, int row)
 {
-    if (row < p->count) return p->sources[row].drawn;
+    if (row < p->rows) return p->sources[row].drawn;
     return row == plan_row_all(p) && p->drawn;
 }
 
 const char *schuler_plan_row_id(const simulation_plan *p, int row)
 {
-    if (row < p->count) return p->sources[row].id;
+    if (row < p->rows) return p->sources[row].id;
     return row == plan_row_all(p) ? "all" : "none";
 }
 

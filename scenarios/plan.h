@@ -13,7 +13,7 @@
 enum { CHUNK_LANES = 64, BATCH_LANES = 512 };
 
 typedef struct {
-    int row; /* index of a source, or plan.count (all), plan.count + 1 (none) */
+    int row; /* index of a source, or plan.rows (all), plan.rows + 1 (none) */
     int first_run, runs;
 } lane_chunk;
 
@@ -28,6 +28,7 @@ typedef struct {
     schuler_isa isa;
     error_source sources[SOURCES_MAX];
     int count;  /* sources */
+    int rows;   /* of single sources: count, or 0 where only the joint run is wanted */
     bool drawn; /* any of them */
     int64_t steps, report_steps;
     schuler_path align_path;          /* at the mooring                             */
@@ -54,21 +55,21 @@ int schuler_hold_interval(const simulation_plan *plan);
 schuler_status schuler_plan_make(simulation_plan *plan, int threads, bool rows_wanted);
 void schuler_plan_free(simulation_plan *plan);
 
-/** Rows 0..count-1 are sources, then all, then none. */
+/** Rows 0..rows-1 are sources, then all, then none. */
 static inline int plan_row_all(const simulation_plan *p)
 {
-    return p->count;
+    return p->rows;
 }
 
 static inline int plan_row_none(const simulation_plan *p)
 {
-    return p->count + 1;
+    return p->rows + 1;
 }
 
 /** Whether a row has source i switched on. */
 static inline bool plan_enabled(const simulation_plan *p, int row, int source)
 {
-    return row == source || row == plan_row_all(p);
+    return row == plan_row_all(p) || (row == source && row < p->rows);
 }
 
 bool schuler_plan_row_drawn(const simulation_plan *p, int row);

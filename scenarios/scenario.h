@@ -48,6 +48,7 @@ typedef struct {
     bool given;
     double drift_mps;
     schuler_statistic statistic;
+    double confidence; /* of the verdict; 0: 0.95 */
     schuler_place place;
 } schuler_requirement;
 

@@ -182,6 +182,7 @@ schuler_status schuler_simulate(const schuler_scenario *scenario,
     pthread_mutex_init(&g.lock, NULL);
     pthread_cond_init(&g.turn_changed, NULL);
     plan.count = schuler_sources_list(scenario, plan.sources);
+    plan.rows = options->joint_only ? 0 : plan.count;
     for (int i = 0; i < plan.count; i++) plan.drawn |= plan.sources[i].drawn;
     status = schuler_plan_times(&plan, err);
     if (status == SCHULER_OK) status = schuler_align_plan(&plan, &align_truth, err);

@@ -69,7 +69,8 @@ typedef struct {
 } schuler_result;
 
 typedef struct {
-    int threads; /* 0 = all processors                          */
+    int threads;    /* 0 = all processors                          */
+    int joint_only; /* 1: all sources at once and none, no row for each: row_count is 0 */
     int has_isa;
     schuler_isa isa; /* else the best                               */
     /* Called about ten times a second from one thread at a time: fraction done in [0, 1]. */

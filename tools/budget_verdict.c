@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
+#include "scenarios/source_size.h"
 #include "tools/budget_table.h"
 #include "tools/result_units.h"
+#include "tools/scaled_text.h"
 #include "tools/terminal.h"
 #include <math.h>
 
@@ -47,6 +49,17 @@ static const schuler_budget_row *largest(const schuler_result *result,
     return found;
 }
 
+/* What a source may be for the requirement to be met, by the sum of squares; `schuler solve` simulates it. */
+static void put_margin(FILE *out, const schuler_result *result, const schuler_budget_row *row,
+                       const char *lead)
+{
+    const double margin = schuler_source_margin(result, row);
+    char value[120];
+    if (!row->value_text || !row->value_text[0] || !(margin > 0.0) || !isfinite(margin)) return;
+    scaled_text(row->value_text, margin, value, sizeof value);
+    fprintf(out, "  %s %s %s (schuler solve)\n", lead, row->id, value);
+}
+
 /* Sources until three quarters of the variance are explained, at most three. */
 static void put_blame(FILE *out, const schuler_result *result)
 {
@@ -59,6 +72,7 @@ static void put_blame(FILE *out, const schuler_result *result)
         fprintf(out, "  %s  %s: %.1f %% of the variance, alone %.*f nmi/h %s\n",
                 i ? "then    " : "to blame", row->id, 100.0 * row->share,
                 decimals > 6 ? 6 : decimals, alone, statistic_name(required->statistic));
+        put_margin(out, result, row, "          it would be met at about");
         explained += row->share;
         row = largest(result, row);
     }
@@ -119,6 +133,7 @@ void budget_verdict(FILE *out, const schuler_result *result)
         if (row && row->share > 0.0)
             fprintf(out, "  largest source: %s with %.1f %% of the variance\n", row->id,
                     100.0 * row->share);
+        if (row && row->share > 0.0) put_margin(out, result, row, "the limit is reached at about");
     } else if (j->verdict == SCHULER_VERDICT_FAIL) {
         fputc('\n', out);
         put_blame(out, result);

@@ -18,6 +18,9 @@ const char *argp_program_version = "schuler " SCHULER_VERSION;
 
 static const verb verbs[] = {
     { "run", "simulate a scenario: error budget per source, drift, verdict", verb_run },
+    { "verify", "does it meet the requirement? several files, as exit status", verb_verify },
+    { "solve", "how large a source may be for the requirement to be met", verb_solve },
+    { "sweep", "drift against the size of one or two sources", verb_sweep },
     { "compare", "several IMUs on one mission: ranking, ratios, budgets", verb_compare },
     { "check", "validate scenario files; every mistake with its place", verb_check },
     { "sensors", "the catalog of real parts: list, show NAME", verb_sensors },

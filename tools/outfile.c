@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "tools/outfile.h"
 #include "tools/messages.h"
+#include "tools/page.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
@@ -89,6 +90,12 @@ void outfile_drop(outfile *o)
 
 exit_code outfile_write(const char *path, void (*put)(FILE *, const void *), const void *what)
 {
+    if (strcmp(path, "-") == 0) {
+        page p;
+        page_open(&p);
+        if (p.out) put(p.out, what);
+        return page_show(&p);
+    }
     outfile file = { 0 };
     exit_code code = outfile_open(&file, path);
     if (code == EXIT_DONE) {

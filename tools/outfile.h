@@ -28,7 +28,7 @@ void outfile_drop(outfile *o);
 /** Why an open file could not be written, when that is not known: ENOSPC, else EIO. */
 int outfile_reason(const outfile *o);
 
-/** A whole file: put writes what it is given. Says errors. */
+/** A whole file, - standard output: put writes what it is given. Says errors. */
 exit_code outfile_write(const char *path, void (*put)(FILE *, const void *), const void *what);
 
 typedef struct {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "tools/result_json.h"
+#include "scenarios/source_size.h"
 #include "tools/result_units.h"
 
 static json_t *horizontal(const schuler_budget_row *row)
@@ -47,6 +48,9 @@ static json_t *budget(const schuler_result *result, const schuler_covariance *li
                       "value", json_of_text(row->value_text), "assumed", (int)row->assumed,
                       "horizontal_rms_m", horizontal(row), "drift_cep_nmi_per_h",
                       json_of_number(nmi_per_h(row->cep_mps)), "share", json_of_number(row->share));
+        const double margin = schuler_source_margin(result, row);
+        if (item && result->scenario->requirement.given && margin >= 0.0)
+            json_object_set_new(item, "margin", json_of_number(margin));
         if (item && !put_linear(item, linear, row->id)) {
             json_decref(item);
             item = NULL;

@@ -25,7 +25,16 @@ static schuler_status on_errors(void *user, const char *id, int run, const schul
     return ferror(s->errors) ? SCHULER_ERR_FILE : SCHULER_OK; /* a full disk: stop at once */
 }
 
-static exit_code say_status(schuler_status status, const schuler_error *error)
+schuler_run_options simulation_options(const simulation_arguments *a)
+{
+    return (schuler_run_options){ .threads = a->threads,
+                                  .joint_only = a->joint_only,
+                                  .has_isa = a->has_isa,
+                                  .isa = a->isa,
+                                  .stop = stop_flag() };
+}
+
+exit_code simulation_status(schuler_status status, const schuler_error *error)
 {
     if (status == SCHULER_ERR_INTERRUPTED)
         fputs("schuler: interrupted; nothing was written\n", stderr);
@@ -41,18 +50,15 @@ exit_code simulate(const schuler_scenario *scenario, const simulation_arguments 
     progress bar = progress_start(a->quiet);
     sink s = { &bar, errors ? errors->file : NULL };
     if (s.errors) errors_csv_header(s.errors);
-    const schuler_run_options wanted = { .threads = a->threads,
-                                         .has_isa = a->has_isa,
-                                         .isa = a->isa,
-                                         .progress = on_progress,
-                                         .errors = s.errors ? on_errors : NULL,
-                                         .user = &s,
-                                         .stop = stop_flag() };
+    schuler_run_options wanted = simulation_options(a);
+    wanted.progress = on_progress;
+    wanted.errors = s.errors ? on_errors : NULL;
+    wanted.user = &s;
     const schuler_status status = schuler_simulate(scenario, &wanted, out, &error);
     progress_end(&bar);
     if (status == SCHULER_ERR_FILE && s.errors && ferror(s.errors))
         return outfile_complete(errors); /* says which file and why */
-    return say_status(status, &error);
+    return simulation_status(status, &error);
 }
 
 exit_code simulate_linear(const schuler_scenario *scenario, const simulation_arguments *a,
@@ -60,5 +66,6 @@ exit_code simulate_linear(const schuler_scenario *scenario, const simulation_arg
 {
     schuler_error error = { 0 };
     const schuler_isa isa = a->has_isa ? a->isa : schuler_isa_best();
-    return say_status(schuler_covariance_run(scenario, isa, stop_flag(), out, &error), &error);
+    return simulation_status(schuler_covariance_run(scenario, isa, stop_flag(), out, &error),
+                             &error);
 }

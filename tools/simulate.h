@@ -13,6 +13,11 @@
 exit_code simulate(const schuler_scenario *scenario, const simulation_arguments *a, outfile *errors,
                    schuler_result **out);
 
+/** Threads, instruction set and Ctrl-C as they were asked for; no callbacks. */
+schuler_run_options simulation_options(const simulation_arguments *a);
+/** Say why a simulation did not end well, and the exit status for it. */
+exit_code simulation_status(schuler_status status, const schuler_error *error);
+
 /** The covariance of a scenario. Says what goes wrong.
  *  Returned   out   owned by the caller when EXIT_DONE, else untouched */
 exit_code simulate_linear(const schuler_scenario *scenario, const simulation_arguments *a,

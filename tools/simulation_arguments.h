@@ -15,6 +15,7 @@ typedef struct {
     const char *json, *directory;
     int threads; /* 0 = all processors */
     bool has_isa, quiet, all;
+    bool joint_only; /* no row for each source */
     schuler_isa isa;
     schuler_overrides overrides;
     const char *set[SIMULATION_SET_MAX];

@@ -20,6 +20,9 @@ typedef struct {
 } verb;
 
 exit_code verb_run(int argc, char **argv);
+exit_code verb_verify(int argc, char **argv);
+exit_code verb_solve(int argc, char **argv);
+exit_code verb_sweep(int argc, char **argv);
 exit_code verb_compare(int argc, char **argv);
 exit_code verb_check(int argc, char **argv);
 exit_code verb_sensors(int argc, char **argv);

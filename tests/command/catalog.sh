@@ -32,6 +32,9 @@ has out "* Assumed"
 has out "accel.misalignment: "
 
 # Filters, files and differences.
+expect 0 "$SCHULER" sensors --grade navigation --csv -
+has out 'name,title,kind,grade'
+absent ./-
 expect 0 "$SCHULER" sensors --grade navigation --kind imu --json - --csv t.csv
 [ "$(json out format)" = schuler-sensors-1 ] || complain "sensors --json - is not JSON alone"
 [ "$(json out sensors 0 name)" = hg9900 ] || complain "hg9900 is not the first navigation-grade IMU"
