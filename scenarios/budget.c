@@ -39,7 +39,7 @@ static const char numerical_id[] = "numerical";
 
 static bool numerical_wanted(const simulation_plan *plan)
 {
-    return schuler_source_selected(plan->scenario, numerical_id, numerical_id);
+    return !plan->joint_only && schuler_source_selected(plan->scenario, numerical_id, numerical_id);
 }
 
 schuler_result *schuler_budget_create(const simulation_plan *plan)
@@ -51,7 +51,7 @@ schuler_result *schuler_budget_create(const simulation_plan *plan)
     r->steps = plan->steps;
     r->duration_s = (double)plan->steps / plan->scenario->imu.rate_hz;
     r->time_count = plan->reports;
-    r->row_count = (size_t)plan->rows + (plan->rows > 0 && numerical_wanted(plan) ? 1 : 0);
+    r->row_count = (size_t)plan->rows + (numerical_wanted(plan) ? 1 : 0);
     r->rows = calloc(r->row_count + 1, sizeof(*r->rows));
     r->times_s = calloc(r->time_count, sizeof(double));
     int good = r->rows && r->times_s;

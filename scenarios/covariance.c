@@ -260,20 +260,21 @@ static schuler_status propagate(covariance_run *c, const volatile int *stop)
     return SCHULER_OK;
 }
 
-schuler_status schuler_covariance_run(const schuler_scenario *scenario, schuler_isa isa,
-                                      const volatile int *stop, schuler_covariance **out,
+schuler_status schuler_covariance_run(const schuler_scenario *scenario,
+                                      const schuler_run_options *options, schuler_covariance **out,
                                       schuler_error *err)
 {
-    covariance_run c = { .plan = { .scenario = scenario, .isa = isa } };
+    covariance_run c = { .plan = { .scenario = scenario,
+                                   .isa = options->has_isa ? options->isa : schuler_isa_best() } };
+    schuler_truth *own_truth = NULL;
     schuler_status status =
-        schuler_truth_create(&c.truth, &scenario->path, 1.0 / scenario->imu.rate_hz,
-                             scenario->truth_gravity, scenario->nav_gravity, err);
+        options->truth ? SCHULER_OK : schuler_scenario_truth(scenario, &own_truth, err);
     if (status != SCHULER_OK) return status;
-    c.plan.truth = c.truth;
+    c.truth = c.plan.truth = options->truth ? options->truth : own_truth;
     c.plan.count = schuler_sources_list(scenario, c.plan.sources);
     status = schuler_plan_times(&c.plan, err);
     if (status == SCHULER_OK) status = set_up(&c, err);
-    if (status == SCHULER_OK) status = propagate(&c, stop);
+    if (status == SCHULER_OK) status = propagate(&c, options->stop);
     if (status == SCHULER_OK)
         *out = c.result;
     else
@@ -282,7 +283,7 @@ schuler_status schuler_covariance_run(const schuler_scenario *scenario, schuler_
     free(c.vectors);
     free(c.lanes);
     free(c.noises);
-    schuler_truth_free(c.truth);
+    schuler_truth_free(own_truth);
     return status;
 }
 

@@ -33,10 +33,10 @@ typedef struct {
     int64_t steps;
 } schuler_covariance;
 
-/** Given    stop   becomes non-zero: end with SCHULER_ERR_INTERRUPTED; may be NULL
+/** Given    options   truth, isa and stop are looked at
  *  Errors   as schuler_simulate */
 SCHULER_API SCHULER_NODISCARD schuler_status
-schuler_covariance_run(const schuler_scenario *scenario, schuler_isa isa, const volatile int *stop,
+schuler_covariance_run(const schuler_scenario *scenario, const schuler_run_options *options,
                        schuler_covariance **out, schuler_error *err);
 SCHULER_API void schuler_covariance_free(schuler_covariance *c); /* NULL is fine */
 

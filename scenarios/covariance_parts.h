@@ -83,7 +83,7 @@ void noise_source_step(noise_source *n, double T_s, const schuler_mat3 *C_b_e,
 
 typedef struct {
     simulation_plan plan;
-    schuler_truth *truth;
+    const schuler_truth *truth;
     linear_navigator navigator;
     schuler_covariance *result;
     error_vector *vectors;

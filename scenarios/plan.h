@@ -27,9 +27,10 @@ typedef struct {
     const schuler_truth *truth;
     schuler_isa isa;
     error_source sources[SOURCES_MAX];
-    int count;  /* sources */
-    int rows;   /* of single sources: count, or 0 where only the joint run is wanted */
-    bool drawn; /* any of them */
+    bool joint_only; /* no rows of single sources, and none of what is numerical */
+    int count;       /* sources                                                  */
+    int rows;        /* of single sources: count, or 0                           */
+    bool drawn;      /* any of them */
     int64_t steps, report_steps;
     schuler_path align_path;          /* at the mooring                             */
     const schuler_truth *align_truth; /* NULL: no self-alignment                       */

@@ -162,27 +162,34 @@ static void run_threads(gathering *g, int threads)
     for (int i = 0; i < started; i++) pthread_join(others[i], NULL);
 }
 
+schuler_status schuler_scenario_truth(const schuler_scenario *scenario, schuler_truth **out,
+                                      schuler_error *err)
+{
+    return schuler_truth_create(out, &scenario->path, 1.0 / scenario->imu.rate_hz,
+                                scenario->truth_gravity, scenario->nav_gravity, err);
+}
+
 schuler_status schuler_simulate(const schuler_scenario *scenario,
                                 const schuler_run_options *options, schuler_result **out,
                                 schuler_error *err)
 {
     const int threads = thread_count(options);
-    schuler_truth *truth = NULL, *align_truth = NULL;
+    schuler_truth *own_truth = NULL, *align_truth = NULL;
     schuler_status status =
-        schuler_truth_create(&truth, &scenario->path, 1.0 / scenario->imu.rate_hz,
-                             scenario->truth_gravity, scenario->nav_gravity, err);
+        options->truth ? SCHULER_OK : schuler_scenario_truth(scenario, &own_truth, err);
     if (status != SCHULER_OK) return status;
 
     simulation_plan plan = {
         .scenario = scenario,
-        .truth = truth,
+        .truth = options->truth ? options->truth : own_truth,
         .isa = options->has_isa ? options->isa : schuler_isa_best(),
     };
     gathering g = { .plan = &plan, .options = options };
     pthread_mutex_init(&g.lock, NULL);
     pthread_cond_init(&g.turn_changed, NULL);
     plan.count = schuler_sources_list(scenario, plan.sources);
-    plan.rows = options->joint_only ? 0 : plan.count;
+    plan.joint_only = options->joint_only != 0;
+    plan.rows = plan.joint_only ? 0 : plan.count;
     for (int i = 0; i < plan.count; i++) plan.drawn |= plan.sources[i].drawn;
     status = schuler_plan_times(&plan, err);
     if (status == SCHULER_OK) status = schuler_align_plan(&plan, &align_truth, err);
@@ -213,7 +220,7 @@ done:
         schuler_result_free(g.result);
     free(g.chunk_curves_m2);
     schuler_plan_free(&plan);
-    schuler_truth_free(truth);
+    schuler_truth_free(own_truth);
     schuler_truth_free(align_truth);
     pthread_cond_destroy(&g.turn_changed);
     pthread_mutex_destroy(&g.lock);

@@ -4,6 +4,7 @@
 #define SCHULER_SCENARIOS_SIMULATION_H
 
 #include "core/isa.h"
+#include "core/truth.h"
 #include "scenarios/scenario.h"
 #include <stdint.h>
 
@@ -68,8 +69,14 @@ typedef struct {
     int64_t lane_steps; /* work done                                   */
 } schuler_result;
 
+/** The truth of a scenario, for several simulations of it: with a full gravity model it takes half a second.
+ *  Errors   as schuler_truth_create */
+SCHULER_API SCHULER_NODISCARD schuler_status
+schuler_scenario_truth(const schuler_scenario *scenario, schuler_truth **out, schuler_error *err);
+
 typedef struct {
-    int threads;    /* 0 = all processors                          */
+    const schuler_truth *truth; /* of this scenario; NULL: made for the simulation */
+    int threads;                /* 0 = all processors                          */
     int joint_only; /* 1: all sources at once and none, no row for each: row_count is 0 */
     int has_isa;
     schuler_isa isa; /* else the best                               */

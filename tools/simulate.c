@@ -27,7 +27,8 @@ static schuler_status on_errors(void *user, const char *id, int run, const schul
 
 schuler_run_options simulation_options(const simulation_arguments *a)
 {
-    return (schuler_run_options){ .threads = a->threads,
+    return (schuler_run_options){ .truth = a->truth,
+                                  .threads = a->threads,
                                   .joint_only = a->joint_only,
                                   .has_isa = a->has_isa,
                                   .isa = a->isa,
@@ -65,7 +66,15 @@ exit_code simulate_linear(const schuler_scenario *scenario, const simulation_arg
                           schuler_covariance **out)
 {
     schuler_error error = { 0 };
-    const schuler_isa isa = a->has_isa ? a->isa : schuler_isa_best();
-    return simulation_status(schuler_covariance_run(scenario, isa, stop_flag(), out, &error),
-                             &error);
+    const schuler_run_options wanted = simulation_options(a);
+    return simulation_status(schuler_covariance_run(scenario, &wanted, out, &error), &error);
+}
+
+exit_code simulation_truth(const schuler_scenario *scenario, simulation_arguments *a,
+                           schuler_truth **out)
+{
+    schuler_error error = { 0 };
+    const schuler_status status = schuler_scenario_truth(scenario, out, &error);
+    if (status == SCHULER_OK) a->truth = *out;
+    return simulation_status(status, &error);
 }

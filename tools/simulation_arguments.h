@@ -4,6 +4,7 @@
 #define SCHULER_TOOLS_SIMULATION_ARGUMENTS_H
 
 #include "core/isa.h"
+#include "core/truth.h"
 #include "scenarios/scenario.h"
 #include <argp.h>
 #include <stdbool.h>
@@ -15,7 +16,8 @@ typedef struct {
     const char *json, *directory;
     int threads; /* 0 = all processors */
     bool has_isa, quiet, all;
-    bool joint_only; /* no row for each source */
+    bool joint_only;            /* no row for each source */
+    const schuler_truth *truth; /* made by the verb, for several simulations; or NULL */
     schuler_isa isa;
     schuler_overrides overrides;
     const char *set[SIMULATION_SET_MAX];

@@ -7,8 +7,8 @@ static schuler_covariance *covariance(const schuler_scenario *s)
 {
     schuler_covariance *c = NULL;
     schuler_error err = { 0 };
-    if (schuler_covariance_run(s, schuler_isa_best(), NULL, &c, &err) != SCHULER_OK)
-        fail_msg("%s", err.message);
+    const schuler_run_options options = { 0 };
+    if (schuler_covariance_run(s, &options, &c, &err) != SCHULER_OK) fail_msg("%s", err.message);
     return c;
 }
 

@@ -126,7 +126,7 @@ static void announce(const schuler_covariance *linear)
             linear->total.end_m, most->id, 100.0 * fmin(share, 1.0));
 }
 
-static exit_code run(const schuler_scenario *scenario, const simulation_arguments *a)
+static exit_code run(const schuler_scenario *scenario, simulation_arguments *a)
 {
     outdir dir = { 0 };
     outfile errors = { 0 };
@@ -135,12 +135,15 @@ static exit_code run(const schuler_scenario *scenario, const simulation_argument
     if (a->directory) code = outdir_open(&dir, a->directory);
     if (code == EXIT_DONE && a->directory) code = outdir_file(&dir, &errors, "errors.csv");
     schuler_covariance *linear = NULL;
+    schuler_truth *truth = NULL;
+    if (code == EXIT_DONE) code = simulation_truth(scenario, a, &truth);
     if (code == EXIT_DONE) code = simulate_linear(scenario, a, &linear);
     if (code == EXIT_DONE && !a->quiet) announce(linear);
     if (code == EXIT_DONE) code = simulate(scenario, a, &errors, &result);
     if (code == EXIT_DONE) code = deliver(result, linear, a, &dir, &errors);
     schuler_result_free(result);
     schuler_covariance_free(linear);
+    schuler_truth_free(truth);
     outfile_drop(&errors);
     outdir_drop(&dir);
     return code;

@@ -205,9 +205,12 @@ exit_code verb_solve(int argc, char **argv)
         code = say_bad_input("%s states no requirement; add one, or say --set 'requirement.drift=1 "
                              "nmi/h' --set requirement.statistic=CEP",
                              a.simulation.file);
+    schuler_truth *truth = NULL;
+    if (code == EXIT_DONE) code = simulation_truth(s, &a.simulation, &truth);
     if (code == EXIT_DONE) code = simulate(s, &a.simulation, NULL, &now);
     if (code == EXIT_DONE) code = work(s, &a, answers, now);
     schuler_result_free(now);
+    schuler_truth_free(truth);
     free(answers);
     free(a.list);
     schuler_scenario_free(s);

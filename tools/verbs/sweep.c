@@ -297,7 +297,10 @@ exit_code verb_sweep(int argc, char **argv)
                     .runs = s->runs,
                     .statistic =
                         s->requirement.given ? s->requirement.statistic : SCHULER_STAT_CEP };
-        code = work(&w, s, &a);
+        schuler_truth *truth = NULL;
+        code = simulation_truth(s, &a.simulation, &truth);
+        if (code == EXIT_DONE) code = work(&w, s, &a);
+        schuler_truth_free(truth);
         free(w.points);
     }
     schuler_scenario_free(s);
