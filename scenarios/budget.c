@@ -9,7 +9,8 @@
 static int row_allocate(schuler_budget_row *row, int runs, size_t reports)
 {
     row->runs = runs;
-    double **arrays[] = { &row->end_m, &row->max_m, &row->slope_mps, &row->v_rms_mps };
+    double **arrays[] = { &row->end_m,     &row->max_m,       &row->slope_mps,  &row->v_rms_mps,
+                          &row->drift_mps, &row->axis_mps[0], &row->axis_mps[1] };
     for (size_t i = 0; i < sizeof(arrays) / sizeof(arrays[0]); i++) {
         *arrays[i] = calloc((size_t)runs, sizeof(double));
         if (!*arrays[i]) return 0;
@@ -24,6 +25,8 @@ static void row_release(schuler_budget_row *row)
     free(row->max_m);
     free(row->slope_mps);
     free(row->v_rms_mps);
+    free(row->drift_mps);
+    for (int i = 0; i < 2; i++) free(row->axis_mps[i]);
     free(row->rms_curve_m);
 }
 
@@ -106,7 +109,15 @@ static void copy_row(schuler_budget_row *to, const schuler_budget_row *from, siz
     memcpy(to->max_m, from->max_m, bytes);
     memcpy(to->slope_mps, from->slope_mps, bytes);
     memcpy(to->v_rms_mps, from->v_rms_mps, bytes);
+    memcpy(to->drift_mps, from->drift_mps, bytes);
+    for (int i = 0; i < 2; i++) memcpy(to->axis_mps[i], from->axis_mps[i], bytes);
     memcpy(to->rms_curve_m, from->rms_curve_m, reports * sizeof(double));
+}
+
+static schuler_status summarise(schuler_budget_row *row, const schuler_requirement *required)
+{
+    const schuler_status status = schuler_row_summarise(row);
+    return status == SCHULER_OK ? schuler_row_required(row, required) : status;
 }
 
 schuler_status schuler_budget_finish(schuler_result *r, const simulation_plan *plan,
@@ -125,11 +136,12 @@ schuler_status schuler_budget_finish(schuler_result *r, const simulation_plan *p
     if (r->row_count > (size_t)plan->rows) copy_row(&r->rows[plan->rows], &r->none, r->time_count);
 
     double end2 = 0.0, max2 = 0.0;
-    schuler_status status = schuler_row_summarise(&r->all);
-    if (status == SCHULER_OK) status = schuler_row_summarise(&r->none);
+    const schuler_requirement *const required = &plan->scenario->requirement;
+    schuler_status status = summarise(&r->all, required);
+    if (status == SCHULER_OK) status = summarise(&r->none, required);
     for (size_t i = 0; i < r->row_count && status == SCHULER_OK; i++) {
         schuler_budget_row *b = &r->rows[i];
-        status = schuler_row_summarise(b);
+        status = summarise(b, required);
         end2 += b->rms_end_m * b->rms_end_m;
         max2 += b->rms_max_m * b->rms_max_m;
     }

@@ -23,8 +23,12 @@ void schuler_compare_attitude(const schuler_nav_state *nav, const schuler_truth_
 
 /* What is kept of a lane as it goes. */
 typedef struct {
-    double start_m[2];                   /* north, east at the start                              */
-    double sum_tr, sum_tt;               /* of the radial error: for the slope through the origin */
+    double start_m[2];           /* north, east at the start                              */
+    double sum_tr, sum_tt;       /* of the radial error: for the slope through the origin */
+    double sum_ta[2];            /* the same of north and east                            */
+    double sum_late, count_late; /* (radial error/time)^2, from half an hour on            */
+    double harmonic[3][5]; /* normal equations of t, 1 - cos, sin of Schuler's rate: north, east  */
+    double end_s, end_a[2];              /* at the end, of what started at zero                   */
     double sum_v2, count;                /* horizontal velocity error                             */
     double end_m, max_m;                 /* horizontal error                                      */
     double clipped[SCHULER_INSTRUMENTS]; /* samples beyond the range, over all axes */
@@ -32,6 +36,9 @@ typedef struct {
 
 /** The error at the start, which the slope is not to count: it is subtracted as a vector. */
 void schuler_metrics_start(lane_metrics *m, const schuler_error_row *row);
+
+/** What the drift of the run is, m/s; axis 0 north, 1 east, -1 radial. */
+double schuler_metrics_drift(const lane_metrics *m, schuler_metric metric, int axis);
 
 /** Take in one report. Returns the square of the horizontal error, m^2. */
 double schuler_metrics_take(lane_metrics *m, const schuler_error_row *row);

@@ -13,6 +13,46 @@ static double resampled_rms(const double *squares, int n, uint64_t resample, int
     return sqrt(sum / n);
 }
 
+/* What a statistic is taken of: the runs' drift, or north and east of each. Returns how many. */
+static int values_of(schuler_statistic statistic, const schuler_budget_row *row, double *out)
+{
+    const int n = row->runs;
+    for (int i = 0; i < n; i++) {
+        if (statistic != SCHULER_STAT_ONE_AXIS)
+            out[i] = row->drift_mps[i];
+        else
+            for (int a = 0; a < 2; a++) out[2 * i + a] = fabs(row->axis_mps[a][i]);
+    }
+    return statistic == SCHULER_STAT_ONE_AXIS ? 2 * n : n;
+}
+
+double schuler_statistic_percentile(schuler_statistic statistic)
+{
+    switch (statistic) {
+    case SCHULER_STAT_R95:
+    case SCHULER_STAT_ONE_AXIS:
+        return 0.95;
+    case SCHULER_STAT_R99:
+        return 0.99;
+    default:
+        return 0.50;
+    }
+}
+
+schuler_status schuler_row_required(schuler_budget_row *row, const schuler_requirement *requirement)
+{
+    double *const values = malloc(4 * (size_t)row->runs * sizeof(*values));
+    if (!values) return SCHULER_ERR_MEMORY;
+    const int n = values_of(requirement->statistic, row, values);
+    row->required_mps =
+        requirement->statistic == SCHULER_STAT_RMS
+            ? schuler_rms(values, n)
+            : schuler_percentile(values, n, schuler_statistic_percentile(requirement->statistic),
+                                 values + n);
+    free(values);
+    return SCHULER_OK;
+}
+
 static schuler_status rms_bounds(const schuler_budget_row *all, schuler_judgement *out)
 {
     const int n = all->runs;
@@ -25,7 +65,7 @@ static schuler_status rms_bounds(const schuler_budget_row *all, schuler_judgemen
         return SCHULER_ERR_MEMORY;
     }
     double *resampled = squares + n, *scratch = resampled + SCHULER_RESAMPLES;
-    for (int i = 0; i < n; i++) squares[i] = all->slope_mps[i] * all->slope_mps[i];
+    for (int i = 0; i < n; i++) squares[i] = all->drift_mps[i] * all->drift_mps[i];
     for (int k = 0; k < SCHULER_RESAMPLES; k++)
         resampled[k] = resampled_rms(squares, n, (uint64_t)k, run);
     out->lower_mps = schuler_percentile(resampled, SCHULER_RESAMPLES, tail, scratch);
@@ -35,18 +75,23 @@ static schuler_status rms_bounds(const schuler_budget_row *all, schuler_judgemen
     return SCHULER_OK;
 }
 
-static schuler_status percentile_bounds(const schuler_budget_row *all, double p,
+/* North and east of a run count as two: a run's two axes are as independent as runs are, when the errors are
+ * circular. */
+static schuler_status percentile_bounds(schuler_statistic statistic, const schuler_budget_row *all,
                                         schuler_judgement *out)
 {
     int lower, upper;
     double coverage;
-    schuler_order_interval(all->runs, p, out->confidence, &lower, &upper, &coverage);
-    double *sorted = malloc((size_t)all->runs * sizeof(*sorted));
-    if (!sorted) return SCHULER_ERR_MEMORY;
-    (void)schuler_percentile(all->slope_mps, all->runs, p, sorted); /* leaves them in order */
+    double *const values = malloc(4 * (size_t)all->runs * sizeof(*values));
+    if (!values) return SCHULER_ERR_MEMORY;
+    const int n = values_of(statistic, all, values);
+    double *const sorted = values + n;
+    const double p = schuler_statistic_percentile(statistic);
+    schuler_order_interval(n, p, out->confidence, &lower, &upper, &coverage);
+    (void)schuler_percentile(values, n, p, sorted); /* leaves them in order */
     if (lower > 0) out->lower_mps = sorted[lower - 1];
-    if (upper <= all->runs) out->upper_mps = sorted[upper - 1];
-    free(sorted);
+    if (upper <= n) out->upper_mps = sorted[upper - 1];
+    free(values);
     return SCHULER_OK;
 }
 
@@ -57,15 +102,8 @@ static schuler_status bounds(schuler_statistic statistic, const schuler_budget_r
     out->lower_mps = 0.0; /* a radial slope is never below */
     out->upper_mps = HUGE_VAL;
     if (all->runs < SCHULER_VERDICT_RUNS_MIN) return SCHULER_OK;
-    switch (statistic) {
-    case SCHULER_STAT_RMS:
-        return rms_bounds(all, out);
-    case SCHULER_STAT_R95:
-        return percentile_bounds(all, 0.95, out);
-    case SCHULER_STAT_CEP:
-        break;
-    }
-    return percentile_bounds(all, 0.50, out);
+    return statistic == SCHULER_STAT_RMS ? rms_bounds(all, out)
+                                         : percentile_bounds(statistic, all, out);
 }
 
 schuler_status schuler_judge(const schuler_requirement *requirement, const schuler_budget_row *all,
@@ -78,17 +116,7 @@ schuler_status schuler_judge(const schuler_requirement *requirement, const schul
         *out = judgement;
         return SCHULER_OK;
     }
-    switch (requirement->statistic) {
-    case SCHULER_STAT_CEP:
-        judgement.value_mps = all->cep_mps;
-        break;
-    case SCHULER_STAT_R95:
-        judgement.value_mps = all->r95_mps;
-        break;
-    case SCHULER_STAT_RMS:
-        judgement.value_mps = all->rms_slope_mps;
-        break;
-    }
+    judgement.value_mps = all->required_mps;
     if (all->drawn) {
         const schuler_status rc = bounds(requirement->statistic, all, &judgement);
         if (rc != SCHULER_OK) return rc;

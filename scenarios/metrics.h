@@ -33,15 +33,23 @@ SCHULER_API double schuler_rms(const double *values, int n);
  *  Errors     SCHULER_ERR_MEMORY, the row then is half filled */
 SCHULER_API SCHULER_NODISCARD schuler_status schuler_row_summarise(schuler_budget_row *row);
 
+/** What a percentile statistic is: 0.5 of CEP, 0.95, 0.99. */
+SCHULER_API double schuler_statistic_percentile(schuler_statistic statistic);
+
+/** Fill required_mps of a row from its drift_mps and axis_mps.
+ *  Errors     SCHULER_ERR_MEMORY */
+SCHULER_API SCHULER_NODISCARD schuler_status
+schuler_row_required(schuler_budget_row *row, const schuler_requirement *requirement);
+
 /* Below this, runs that differ give no verdict: no bounds but 0 and infinity. */
 enum { SCHULER_VERDICT_RUNS_MIN = 10 };
 
-/** Judge a requirement on the slopes of the joint runs.
- *  PASS: upper bound <= limit; FAIL: lower bound > limit; else INCONCLUSIVE. CEP and R95 by order
+/** Judge a requirement on the drift of the joint runs.
+ *  PASS: upper bound <= limit; FAIL: lower bound > limit; else INCONCLUSIVE. Percentiles by order
  *  statistics, rms by a bootstrap over runs (2000 resamples, fixed seed). When nothing was drawn
  *  (all runs the same) the bounds are the value itself. Fewer than SCHULER_VERDICT_RUNS_MIN runs of
  *  drawn sources: INCONCLUSIVE. No requirement given: NONE, values 0.
- *  Given      all     the joint row, summarised
+ *  Given      all     the joint row, summarised, with required_mps of this requirement
  *  Errors     SCHULER_ERR_MEMORY, out untouched */
 SCHULER_API SCHULER_NODISCARD schuler_status schuler_judge(const schuler_requirement *requirement,
                                                            const schuler_budget_row *all,

@@ -6,23 +6,26 @@
 #include <stdlib.h>
 
 /* A row that does not depend on the run holds one entry for all of them. */
-static double slope(const schuler_budget_row *row, int run)
+static double drift(const schuler_budget_row *row, int run, int axis)
 {
-    return row->slope_mps[row->runs == 1 ? 0 : run];
+    const int i = row->runs == 1 ? 0 : run;
+    return axis < 0 ? row->drift_mps[i] : fabs(row->axis_mps[axis][i]);
 }
 
-static double statistic_of(schuler_statistic statistic, const double *values, int n,
-                           double *scratch)
+/* The statistic of some runs. values and scratch: two a run. */
+static double statistic_of(schuler_statistic statistic, const schuler_budget_row *row,
+                           const int *run, int n, double *values, double *scratch)
 {
-    switch (statistic) {
-    case SCHULER_STAT_RMS:
-        return schuler_rms(values, n);
-    case SCHULER_STAT_R95:
-        return schuler_percentile(values, n, 0.95, scratch);
-    case SCHULER_STAT_CEP:
-        break;
+    const bool by_axis = statistic == SCHULER_STAT_ONE_AXIS;
+    int count = 0;
+    for (int i = 0; i < n; i++) {
+        if (by_axis)
+            for (int a = 0; a < 2; a++) values[count++] = drift(row, run[i], a);
+        else
+            values[count++] = drift(row, run[i], -1);
     }
-    return schuler_percentile(values, n, 0.50, scratch);
+    if (statistic == SCHULER_STAT_RMS) return schuler_rms(values, count);
+    return schuler_percentile(values, count, schuler_statistic_percentile(statistic), scratch);
 }
 
 static double ratio_of(double a, double b)
@@ -35,35 +38,27 @@ schuler_status schuler_compare_paired(schuler_statistic statistic, const schuler
 {
     const int n = a->runs > b->runs ? a->runs : b->runs;
     const size_t size = (size_t)n;
-    double *const memory = malloc((3 * size + 2 * SCHULER_RESAMPLES) * sizeof(*memory));
+    double *const memory = malloc((4 * size + 2 * SCHULER_RESAMPLES) * sizeof(*memory));
     int *const run = malloc(size * sizeof(*run));
     if (!memory || !run) {
         free(memory);
         free(run);
         return SCHULER_ERR_MEMORY;
     }
-    double *const x = memory, *const y = x + size, *const scratch = y + size;
-    double *const ratios = scratch + size, *const more = ratios + SCHULER_RESAMPLES;
-    for (int i = 0; i < n; i++) {
-        x[i] = slope(a, i);
-        y[i] = slope(b, i);
-    }
-    schuler_paired p = { .confidence = 0.95,
-                         .ratio = ratio_of(statistic_of(statistic, x, n, scratch),
-                                           statistic_of(statistic, y, n, scratch)),
-                         .upper = (double)INFINITY };
+    double *const values = memory, *const scratch = values + 2 * size;
+    double *const ratios = scratch + 2 * size, *const more = ratios + SCHULER_RESAMPLES;
+    for (int i = 0; i < n; i++) run[i] = i;
+    schuler_paired p = { .confidence = 0.95, .upper = (double)INFINITY };
+    p.ratio = ratio_of(statistic_of(statistic, a, run, n, values, scratch),
+                       statistic_of(statistic, b, run, n, values, scratch));
     if (!a->drawn && !b->drawn) {
         p.lower = p.upper = p.ratio;
     } else if (n >= SCHULER_VERDICT_RUNS_MIN) {
         const double tail = 0.5 * (1.0 - p.confidence);
         for (int k = 0; k < SCHULER_RESAMPLES; k++) {
             schuler_resample(n, (uint64_t)k, run);
-            for (int i = 0; i < n; i++) {
-                x[i] = slope(a, run[i]);
-                y[i] = slope(b, run[i]);
-            }
-            ratios[k] = ratio_of(statistic_of(statistic, x, n, scratch),
-                                 statistic_of(statistic, y, n, scratch));
+            ratios[k] = ratio_of(statistic_of(statistic, a, run, n, values, scratch),
+                                 statistic_of(statistic, b, run, n, values, scratch));
         }
         p.pairs = n;
         p.lower = schuler_percentile(ratios, SCHULER_RESAMPLES, tail, more);

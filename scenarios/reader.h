@@ -48,8 +48,9 @@ typedef struct {
     } errors;
     struct {
         schuler_place place;
-        double drift_mps;
+        double drift_mps, position_m; /* NAN = not given */
         const schuler_node *statistic;
+        const char *metric;
     } requirement;
     struct {
         schuler_place place;
@@ -58,6 +59,11 @@ typedef struct {
 } schuler_scenario_file;
 
 extern const schuler_object schuler_scenario_object;
+/** The requirement, with all that is wrong with it; a position has no rate yet. */
+void schuler_read_requirement(schuler_reading *r, const schuler_scenario_file *file,
+                              schuler_requirement *out);
+
+extern const char *const schuler_metric_names[]; /* in the order of schuler_metric */
 
 /** Everything that can be checked without the compiled trajectory, moved into the scenario. */
 void schuler_scenario_check(schuler_reading *r, const schuler_scenario_file *file,

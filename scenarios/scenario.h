@@ -42,12 +42,30 @@ typedef enum {
     SCHULER_BARO_ERRORS
 } schuler_baro_error;
 
-typedef enum { SCHULER_STAT_CEP, SCHULER_STAT_R95, SCHULER_STAT_RMS } schuler_statistic;
+typedef enum {
+    SCHULER_STAT_CEP,      /* median over the runs                               */
+    SCHULER_STAT_R95,      /* 95th percentile                                    */
+    SCHULER_STAT_RMS,      /* root mean square                                   */
+    SCHULER_STAT_R99,      /* 99th percentile                                    */
+    SCHULER_STAT_ONE_AXIS, /* 95th percentile of north and east by themselves */
+    SCHULER_STATISTICS
+} schuler_statistic;
+
+/* What the drift of one run is, m/s. */
+typedef enum {
+    SCHULER_METRIC_SLOPE,    /* least squares through the origin of the radial error        */
+    SCHULER_METRIC_FINAL,    /* radial error at the end over the time                        */
+    SCHULER_METRIC_TRMS,     /* root mean square of radial error over time, from half an hour on */
+    SCHULER_METRIC_HARMONIC, /* mean rate: what a line beside a Schuler oscillation says     */
+    SCHULER_METRICS
+} schuler_metric;
 
 typedef struct {
     bool given;
     double drift_mps;
+    double position_m; /* stated instead, at the end; drift_mps is that over the time; else 0 */
     schuler_statistic statistic;
+    schuler_metric metric;
     double confidence; /* of the verdict; 0: 0.95 */
     schuler_place place;
 } schuler_requirement;

@@ -97,36 +97,6 @@ static const schuler_coning_algorithm *check_coning(schuler_reading *r, const sc
     return &schuler_coning_algorithms[0];
 }
 
-static void check_requirement(schuler_reading *r, const schuler_scenario_file *file,
-                              schuler_requirement *out)
-{
-    static const char *const names[] = { "CEP", "R95", "rms" }; /* as schuler_statistic */
-    if (!file->requirement.place.file) return;
-    *out = (schuler_requirement){ .given = true,
-                                  .drift_mps = file->requirement.drift_mps,
-                                  .place = file->requirement.place };
-    const schuler_node *const node = file->requirement.statistic;
-    if (!node) {
-        schuler_diagnose(
-            r->d, SCHULER_ERR_INPUT, &file->requirement.place,
-            "'requirement' needs the key 'statistic': CEP, R95 or rms. There is no "
-            "default, because a drift limit means nothing without it: the sensors that "
-            "drift 0.5 nmi/h CEP drift 1.0 nmi/h R95");
-        return;
-    }
-    const char *text =
-        schuler_read_scalar(r, node, "requirement.statistic", "one of CEP, R95 and rms");
-    if (!text) return;
-    for (int i = 0; i < 3; i++) {
-        if (strcmp(text, names[i]) != 0) continue;
-        out->statistic = (schuler_statistic)i;
-        return;
-    }
-    char lead[160];
-    snprintf(lead, sizeof lead, "requirement.statistic: unknown '%.60s'", text);
-    schuler_diagnose_unknown(r, &node->place, lead, text, names, 3);
-}
-
 static void check_align(schuler_reading *r, const schuler_scenario_file *file,
                         schuler_align_spec *out)
 {
@@ -225,7 +195,7 @@ void schuler_scenario_check(schuler_reading *r, const schuler_scenario_file *fil
     check_align(r, file, &s->align);
     s->only = file->errors.only;
     s->without = file->errors.without;
-    check_requirement(r, file, &s->requirement);
+    schuler_read_requirement(r, file, &s->requirement);
 }
 
 /* Round figures, so that times in tables are round too. */
@@ -297,7 +267,9 @@ void schuler_scenario_check_duration(schuler_reading *r, const schuler_scenario_
             r->d, SCHULER_ERR_INPUT, &s->requirement.place,
             "there is nothing to hold the requirement against: the selection of error sources "
             "(errors.only, errors.without) leaves none that this scenario has");
-    if (s->requirement.given && duration_s < schuler_period_s)
+    if (s->requirement.position_m > 0.0)
+        s->requirement.drift_mps = s->requirement.position_m / duration_s;
+    if (s->requirement.given && s->requirement.position_m == 0.0 && duration_s < schuler_period_s)
         schuler_warn(r->d, &s->requirement.place,
                      "the mission of %.0f s is shorter than one Schuler period (84.4 min), so the "
                      "drift depends on its length",

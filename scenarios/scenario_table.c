@@ -206,21 +206,40 @@ static const schuler_object errors_object = {
     .fields = errors_fields,
 };
 
+const char *const schuler_metric_names[] = { "slope", "final", "trms", "harmonic", NULL };
+
 static const schuler_field requirement_fields[] = {
     { .key = "drift",
       .kind = SCHULER_FIELD_QUANTITY,
       .offset = IN(requirement, drift_mps),
-      .required = true,
+      .def = NAN,
       .dim = SCHULER_DIM_SPEED,
       .min = 1e-9,
       .max = 1e4,
       .example = "1 nmi/h",
       .doc = "largest allowed drift" },
+    { .key = "position",
+      .kind = SCHULER_FIELD_QUANTITY,
+      .offset = IN(requirement, position_m),
+      .def = NAN,
+      .dim = SCHULER_DIM_LENGTH,
+      .min = 1e-6,
+      .max = 1e7,
+      .example = "10 nmi",
+      .doc = "instead of a drift: largest allowed error at the end" },
     { .key = "statistic",
       .kind = SCHULER_FIELD_NODE,
       .offset = IN(requirement, statistic),
       .example = "CEP",
-      .doc = "CEP, R95 or rms; no default" },
+      .doc = "CEP, R95, R99, rms, or one_axis (95 % of north and east by themselves); no default" },
+    { .key = "metric",
+      .kind = SCHULER_FIELD_CHOICE,
+      .offset = IN(requirement, metric),
+      .choices = schuler_metric_names,
+      .example = "slope",
+      .doc = "drift of a run: slope through the origin, final error over time, trms (of error over "
+             "time), or "
+             "the mean rate beside a Schuler oscillation" },
     { .key = NULL },
 };
 static const schuler_object requirement_object = {

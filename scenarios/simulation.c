@@ -92,6 +92,9 @@ static void store(gathering *g, const lane_batch *work, const batch_result *from
             row->max_m[run] = m->max_m;
             row->slope_mps[run] = m->sum_tr / m->sum_tt;
             row->v_rms_mps[run] = sqrt(m->sum_v2 / m->count);
+            const schuler_metric metric = p->scenario->requirement.metric;
+            row->drift_mps[run] = schuler_metrics_drift(m, metric, -1);
+            for (int i = 0; i < 2; i++) row->axis_mps[i][run] = schuler_metrics_drift(m, metric, i);
             if (chunk->row == plan_row_all(p)) add_clipped(g, m);
         }
     }

@@ -28,9 +28,13 @@ typedef struct {
     int runs;              /* entries in the arrays below                                 */
     double *end_m, *max_m; /* per run: horizontal error at the end, and its largest       */
     double *slope_mps;     /* per run: least squares through the origin of the radial error */
+    double *drift_mps;     /* per run: by the requirement's metric; the slope without one   */
+    double *axis_mps[2];   /* the same of north and of east                                 */
     double *v_rms_mps;     /* per run: horizontal velocity error, rms over the report times */
     double rms_end_m, rms_max_m, cep_mps, r95_mps, rms_slope_mps;
-    double share;        /* of the summed variance at the end; 0 for the sums           */
+    double
+        required_mps; /* what the requirement looks at: its metric and statistic; CEP without one */
+    double share;     /* of the summed variance at the end; 0 for the sums           */
     double *rms_curve_m; /* rms over the runs at each report time                       */
 } schuler_budget_row;
 

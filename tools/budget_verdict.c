@@ -67,7 +67,7 @@ static void put_blame(FILE *out, const schuler_result *result)
     const schuler_budget_row *row = largest(result, NULL);
     double explained = 0.0;
     for (int i = 0; row && row->share > 0.0 && i < 3 && explained < 0.75; i++) {
-        const double alone = nmi_per_h(statistic_of(row, required->statistic));
+        const double alone = nmi_per_h(row->required_mps);
         const int decimals = decimals_for(10.0 * alone);
         fprintf(out, "  %s  %s: %.1f %% of the variance, alone %.*f nmi/h %s\n",
                 i ? "then    " : "to blame", row->id, 100.0 * row->share,

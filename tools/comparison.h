@@ -22,7 +22,7 @@ typedef struct {
 } comparison;
 
 /** The value of the statistic that they are ranked by, m/s. */
-double comparison_drift(const comparison *c, const compared *item);
+double comparison_drift(const compared *item);
 
 /** Ranking, ratios and the budgets side by side.
  *  Given    all   show every source, however small

@@ -9,7 +9,7 @@ static json_t *one(const comparison *c, size_t i)
     const schuler_paired *const p = &item->against_best;
     return json_pack("{s:i, s:o, s:o, s:o, s:o, s:{s:o, s:o, s:o, s:o, s:i}, s:o}", "rank",
                      (int)i + 1, "imu", json_of_text(item->name), "drift_nmi_per_h",
-                     json_of_number(nmi_per_h(comparison_drift(c, item))), "lower",
+                     json_of_number(nmi_per_h(comparison_drift(item))), "lower",
                      json_of_number(nmi_per_h(item->judgement.lower_mps)), "upper",
                      json_of_number(nmi_per_h(item->judgement.upper_mps)), "times_the_best",
                      "ratio", json_of_number(p->ratio), "lower", json_of_number(p->lower), "upper",

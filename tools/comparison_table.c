@@ -10,9 +10,9 @@
 
 enum { NAME = 17, DRIFT = 9, LIMITS = 17, SOURCE = 24, COLUMN = 13, COLUMNS = 4, ID_MAX = 64 };
 
-double comparison_drift(const comparison *c, const compared *item)
+double comparison_drift(const compared *item)
 {
-    return statistic_of(&item->result->all, c->statistic);
+    return item->result->all.required_mps;
 }
 
 static void rule(FILE *out)
@@ -66,7 +66,7 @@ static void put_ranking(FILE *out, const comparison *c)
     rule(out);
     for (size_t i = 0; i < c->count; i++) {
         const compared *const item = &c->items[i];
-        const double drift = nmi_per_h(comparison_drift(c, item));
+        const double drift = nmi_per_h(comparison_drift(item));
         const schuler_budget_row *const row = largest(item->result);
         char most[ID_MAX + 16] = "";
         if (row) snprintf(most, sizeof most, "%s %.0f %%", row->id, 100.0 * row->share);
@@ -134,7 +134,7 @@ static size_t collect(const comparison *c, line *lines)
             size_t at = 0;
             while (at < count && strcmp(lines[at].id, row->id) != 0) at++;
             if (at == count) lines[count++] = (line){ .id = row->id };
-            lines[at].largest_mps = fmax(lines[at].largest_mps, statistic_of(row, c->statistic));
+            lines[at].largest_mps = fmax(lines[at].largest_mps, row->required_mps);
             lines[at].share = fmax(lines[at].share, row->share);
         }
     qsort(lines, count, sizeof *lines, by_size);
@@ -161,7 +161,7 @@ static void put_budgets(FILE *out, const comparison *c, const line *lines, size_
         page_cell(out, lines[k].id, SOURCE);
         for (size_t i = first; i < end; i++) {
             const schuler_budget_row *const row = row_of(c->items[i].result, lines[k].id);
-            const double drift = row ? nmi_per_h(statistic_of(row, c->statistic)) : 0.0;
+            const double drift = row ? nmi_per_h(row->required_mps) : 0.0;
             if (row)
                 fprintf(out, "%*.*f", COLUMN, digits_for(drift), drift);
             else
@@ -173,7 +173,7 @@ static void put_budgets(FILE *out, const comparison *c, const line *lines, size_
     fputs("  ", out);
     page_cell(out, "joint run", SOURCE);
     for (size_t i = first; i < end; i++) {
-        const double drift = nmi_per_h(comparison_drift(c, &c->items[i]));
+        const double drift = nmi_per_h(comparison_drift(&c->items[i]));
         fprintf(out, "%*.*f", COLUMN, digits_for(drift), drift);
     }
     fputc('\n', out);

@@ -9,23 +9,13 @@ const char *statistic_name(schuler_statistic statistic)
         return "CEP";
     case SCHULER_STAT_R95:
         return "R95";
-    case SCHULER_STAT_RMS:
-        break;
+    case SCHULER_STAT_R99:
+        return "R99";
+    case SCHULER_STAT_ONE_AXIS:
+        return "one axis 95 %";
+    default:
+        return "rms";
     }
-    return "rms";
-}
-
-double statistic_of(const schuler_budget_row *row, schuler_statistic statistic)
-{
-    switch (statistic) {
-    case SCHULER_STAT_CEP:
-        return row->cep_mps;
-    case SCHULER_STAT_R95:
-        return row->r95_mps;
-    case SCHULER_STAT_RMS:
-        break;
-    }
-    return row->rms_slope_mps;
 }
 
 const char *verdict_name(schuler_verdict verdict)

@@ -12,9 +12,8 @@ static inline double nmi_per_h(double mps)
            (SCHULER_NMI_M / 3600.0); /* as the unit is read, so that a limit prints as written */
 }
 
-/* Name of a requirement's statistic, and that statistic of a row's slopes. */
+/* Name of a requirement's statistic. */
 const char *statistic_name(schuler_statistic statistic);
-double statistic_of(const schuler_budget_row *row, schuler_statistic statistic);
 /* "PASS", "FAIL", "INCONCLUSIVE". */
 const char *verdict_name(schuler_verdict verdict);
 

@@ -8,6 +8,7 @@ static schuler_judgement judge(schuler_statistic statistic, double limit, schule
     const schuler_requirement r = { .given = true, .drift_mps = limit, .statistic = statistic };
     schuler_judgement out = { 0 };
     assert_int_equal(schuler_row_summarise(row), SCHULER_OK);
+    assert_int_equal(schuler_row_required(row, &r), SCHULER_OK);
     assert_int_equal(schuler_judge(&r, row, &out), SCHULER_OK);
     return out;
 }
@@ -15,9 +16,12 @@ static schuler_judgement judge(schuler_statistic statistic, double limit, schule
 /* A row whose slopes are given. Ends and maxima are not looked at by the judge. */
 static schuler_budget_row row_of(double *slopes, int runs)
 {
-    return (schuler_budget_row){
-        .drawn = true, .runs = runs, .slope_mps = slopes, .end_m = slopes, .max_m = slopes
-    };
+    return (schuler_budget_row){ .drawn = true,
+                                 .runs = runs,
+                                 .slope_mps = slopes,
+                                 .drift_mps = slopes,
+                                 .end_m = slopes,
+                                 .max_m = slopes };
 }
 
 static void cep_of_ten_runs_lies_between_the_second_and_the_ninth(void **state)

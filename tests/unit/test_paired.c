@@ -7,7 +7,9 @@ enum { RUNS = 60 };
 
 static schuler_budget_row row_of(double *slopes, int runs)
 {
-    return (schuler_budget_row){ .drawn = runs > 1, .runs = runs, .slope_mps = slopes };
+    return (schuler_budget_row){
+        .drawn = runs > 1, .runs = runs, .slope_mps = slopes, .drift_mps = slopes
+    };
 }
 
 static schuler_paired compare(schuler_statistic statistic, double *a, int runs_a, double *b,

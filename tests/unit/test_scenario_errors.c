@@ -103,7 +103,8 @@ static void mistakes_in_the_scenario_have_their_place(void **state)
           "errors.without: no error source or group 'odometer'; known: accel, accel.bias, "
           "accel.scale_factor, accel.misalignment, ~" },
         { HEAD IMU "requirement: {drift: 1 nmi/h}\n", 4, 1, 11,
-          "'requirement' needs the key 'statistic': CEP, R95 or rms. There is no default, because "
+          "'requirement' needs the key 'statistic': CEP, R95, R99, rms or one_axis. There is no "
+          "default, because "
           "a "
           "drift limit means nothing without it: the sensors that drift 0.5 nmi/h CEP drift 1.0 "
           "nmi/h R95" },

@@ -119,8 +119,7 @@ static exit_code rank(comparison *c)
 {
     for (size_t i = 1; i < c->count; i++) /* insertion sort: equals keep their order */
         for (size_t j = i;
-             j > 0 && comparison_drift(c, &c->items[j]) < comparison_drift(c, &c->items[j - 1]);
-             j--) {
+             j > 0 && comparison_drift(&c->items[j]) < comparison_drift(&c->items[j - 1]); j--) {
             const compared swap = c->items[j];
             c->items[j] = c->items[j - 1];
             c->items[j - 1] = swap;

@@ -121,7 +121,7 @@ static exit_code simulate_point(const sweep *w, schuler_scenario *s, const sweep
     if (code == EXIT_DONE) code = simulate(s, &a->simulation, NULL, &result);
     if (code == EXIT_DONE) {
         const schuler_requirement cep = { .given = true, .drift_mps = HUGE_VAL };
-        *out = (point){ .drift_mps = statistic_of(&result->all, w->statistic),
+        *out = (point){ .drift_mps = result->all.required_mps,
                         .cep_mps = result->all.cep_mps,
                         .r95_mps = result->all.r95_mps,
                         .end_m = result->all.rms_end_m,
