@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
+#include "core/random.h"
 #include "scenarios/metrics.h"
 #include <stdlib.h>
 
@@ -116,6 +117,40 @@ static void no_requirement_is_no_verdict(void **state)
     CHECK_NEAR(out.value_mps, 0.0, 0.0);
 }
 
+/* 400 experiments of 100 runs with circular normal drifts: the 95 % limits hold the true CEP and 95th percentile
+ * in so many of them. Order statistics cover at least what they promise (96.5 % and 95.x % here), the
+ * bootstrap of the rms a little less; the sampling error of a share is 1.1 %, two of them: 93 to 97 and,
+ * as the first is 96.5 by construction, 98.7 %. */
+static void limits_hold_the_truth_as_often_as_they_say(void **state)
+{
+    (void)state;
+    enum { EXPERIMENTS = 400, RUNS = 100 };
+    const struct {
+        schuler_statistic statistic;
+        double truth;
+    } rows[] = { { SCHULER_STAT_CEP, 1.17741002251547 },
+                 { SCHULER_STAT_R95, 2.44774683068082 },
+                 { SCHULER_STAT_RMS, 1.4142135623731 } };
+    for (size_t s = 0; s < sizeof rows / sizeof rows[0]; s++) {
+        int covered = 0;
+        for (int e = 0; e < EXPERIMENTS; e++) {
+            double slopes[RUNS];
+            for (int i = 0; i < RUNS; i++) {
+                const uint64_t run = (uint64_t)(e * RUNS + i);
+                const schuler_stream north = { 17, run, 1, 0, SCHULER_USE_DRAW };
+                const schuler_stream east = { 17, run, 2, 0, SCHULER_USE_DRAW };
+                slopes[i] = hypot(schuler_stream_normal(north, 0), schuler_stream_normal(east, 0));
+            }
+            schuler_budget_row row = row_of(slopes, RUNS);
+            const schuler_judgement j = judge(rows[s].statistic, 1.0, &row);
+            covered += j.lower_mps <= rows[s].truth && rows[s].truth <= j.upper_mps;
+        }
+        print_message("statistic %d: %.2f %%\n", (int)rows[s].statistic,
+                      100.0 * covered / EXPERIMENTS);
+        assert_in_range(covered, 0.93 * EXPERIMENTS, 0.987 * EXPERIMENTS);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -125,6 +160,7 @@ int main(void)
         cmocka_unit_test(bootstrap_of_the_rms_agrees_with_its_standard_error),
         cmocka_unit_test(without_draws_the_value_is_its_own_bound),
         cmocka_unit_test(no_requirement_is_no_verdict),
+        cmocka_unit_test(limits_hold_the_truth_as_often_as_they_say),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
