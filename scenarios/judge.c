@@ -130,3 +130,11 @@ schuler_status schuler_judge(const schuler_requirement *requirement, const schul
     *out = judgement;
     return SCHULER_OK;
 }
+
+double schuler_runs_to_decide(const schuler_judgement *j, double limit_mps, int runs)
+{
+    if (!isfinite(j->upper_mps) || j->lower_mps <= 0.0) return fmax(100.0, 2.0 * runs);
+    const double gap = fabs(j->value_mps - limit_mps);
+    const double width = fmax(j->upper_mps - j->value_mps, j->value_mps - j->lower_mps);
+    return gap > 0.0 ? ceil(runs * (width / gap) * (width / gap)) : (double)INFINITY;
+}

@@ -44,6 +44,11 @@ schuler_row_required(schuler_budget_row *row, const schuler_requirement *require
 /* Below this, runs that differ give no verdict: no bounds but 0 and infinity. */
 enum { SCHULER_VERDICT_RUNS_MIN = 10 };
 
+/** About how many runs would tell a requirement from the limit: the interval shrinks with their square root.
+ *  Given      j     what `runs` runs say
+ *  Returned   at least 100 where there is no interval yet; INFINITY where the value is the limit */
+SCHULER_API double schuler_runs_to_decide(const schuler_judgement *j, double limit_mps, int runs);
+
 /** Judge a requirement on the drift of the joint runs.
  *  PASS: upper bound <= limit; FAIL: lower bound > limit; else INCONCLUSIVE. Percentiles by order
  *  statistics, rms by a bootstrap over runs (2000 resamples, fixed seed). When nothing was drawn

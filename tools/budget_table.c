@@ -130,13 +130,6 @@ static void put_folded(const layout *l, const schuler_budget_row **rows, size_t 
     fprintf(l->out, "%*s%*.1f%%\n", DRIFT, "", SHARE - 1, 100.0 * share);
 }
 
-static void put_rule(FILE *out)
-{
-    fputs("  ", out);
-    for (int i = 0; i < 78; i++) fputc('-', out);
-    fputc('\n', out);
-}
-
 /* The sums, and whether the budget is additive. */
 static void put_sums(const layout *l, const schuler_result *result,
                      const schuler_covariance *linear)
@@ -201,11 +194,11 @@ bool budget_table(FILE *out, const schuler_result *result, const schuler_covaria
     fputs("  ", out);
     page_cell(out, "value", l.value);
     fprintf(out, " %*s%*s%*s\n", POSITION, l.unit, DRIFT, "nmi/h", SHARE, "share");
-    put_rule(out);
+    page_rule(out);
     for (size_t i = 0; i < shown; i++) put_source(&l, rows[i]);
     if (shown < count) put_folded(&l, rows + shown, count - shown);
     if (count == 0) fputs("  no error source is on\n", out);
-    put_rule(out);
+    page_rule(out);
     put_sums(&l, result, linear);
     if (linear) budget_agreement(out, result, linear);
     put_clipped(out, result);

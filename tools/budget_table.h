@@ -18,6 +18,9 @@ bool budget_table(FILE *out, const schuler_result *result, const schuler_covaria
                   bool all);
 /** Whether simulation and covariance say the same, and of which sources they do not. */
 void budget_agreement(FILE *out, const schuler_result *result, const schuler_covariance *linear);
+/** The row with the largest share, or with the next one below that of a row; NULL when there is none. */
+const schuler_budget_row *budget_largest(const schuler_result *result,
+                                         const schuler_budget_row *below);
 /** The verdict in words, or the drift when no requirement was stated. */
 void budget_verdict(FILE *out, const schuler_result *result);
 /** The exit status a verdict leads to. */

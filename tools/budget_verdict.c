@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "scenarios/metrics.h"
 #include "scenarios/source_size.h"
 #include "tools/budget_table.h"
 #include "tools/result_units.h"
@@ -35,7 +36,7 @@ static colour colour_of(schuler_verdict verdict)
     return COLOUR_NONE;
 }
 
-static const schuler_budget_row *largest(const schuler_result *result,
+const schuler_budget_row *budget_largest(const schuler_result *result,
                                          const schuler_budget_row *below)
 {
     const schuler_budget_row *found = NULL;
@@ -64,7 +65,7 @@ static void put_margin(FILE *out, const schuler_result *result, const schuler_bu
 static void put_blame(FILE *out, const schuler_result *result)
 {
     const schuler_requirement *required = &result->scenario->requirement;
-    const schuler_budget_row *row = largest(result, NULL);
+    const schuler_budget_row *row = budget_largest(result, NULL);
     double explained = 0.0;
     for (int i = 0; row && row->share > 0.0 && i < 3 && explained < 0.75; i++) {
         const double alone = nmi_per_h(row->required_mps);
@@ -74,23 +75,18 @@ static void put_blame(FILE *out, const schuler_result *result)
                 decimals > 6 ? 6 : decimals, alone, statistic_name(required->statistic));
         put_margin(out, result, row, "          it would be met at about");
         explained += row->share;
-        row = largest(result, row);
+        row = budget_largest(result, row);
     }
 }
 
-/* The interval shrinks with the square root of the runs. */
 static void put_more_runs(FILE *out, const schuler_result *result)
 {
     const schuler_judgement *j = &result->judgement;
-    const double gap = fabs(j->value_mps - result->scenario->requirement.drift_mps);
-    if (!isfinite(j->upper_mps) || j->lower_mps <= 0.0) {
-        fputs("; try --runs 100\n", out);
-        return;
-    }
-    const double width = fmax(j->upper_mps - j->value_mps, j->value_mps - j->lower_mps);
     const double runs =
-        gap > 0.0 ? ceil(result->runs * (width / gap) * (width / gap)) : (double)INFINITY;
-    if (runs <= 100000.0)
+        schuler_runs_to_decide(j, result->scenario->requirement.drift_mps, result->runs);
+    if (!isfinite(j->upper_mps) || j->lower_mps <= 0.0)
+        fprintf(out, "; try --runs %.0f\n", runs);
+    else if (runs <= 100000.0)
         fprintf(out, "\n  about %.0f runs would tell (--runs %.0f)\n", runs, runs);
     else
         fprintf(out, "\n  the drift is too close to the limit to be told from it\n");
@@ -128,7 +124,7 @@ void budget_verdict(FILE *out, const schuler_result *result)
     fprintf(out, ", limit %g nmi/h %s\n", limit, statistic);
     put_limits(out, result, decimals);
     if (j->verdict == SCHULER_VERDICT_PASS) {
-        const schuler_budget_row *row = largest(result, NULL);
+        const schuler_budget_row *row = budget_largest(result, NULL);
         fprintf(out, ", margin %.3g %%\n", 100.0 * (1.0 - value / limit));
         if (row && row->share > 0.0)
             fprintf(out, "  largest source: %s with %.1f %% of the variance\n", row->id,

@@ -15,21 +15,6 @@ double comparison_drift(const compared *item)
     return item->result->all.required_mps;
 }
 
-static void rule(FILE *out)
-{
-    fputs("  ", out);
-    for (int i = 0; i < 78; i++) fputc('-', out);
-    fputc('\n', out);
-}
-
-static const schuler_budget_row *largest(const schuler_result *result)
-{
-    const schuler_budget_row *found = NULL;
-    for (size_t i = 0; i < result->row_count; i++)
-        if (!found || result->rows[i].share > found->share) found = &result->rows[i];
-    return found && found->share > 0.0 ? found : NULL;
-}
-
 static int digits_for(double nmi_h)
 {
     const int decimals = decimals_for(10.0 * nmi_h);
@@ -63,13 +48,14 @@ static void put_ranking(FILE *out, const comparison *c)
             "95 % limits");
     fprintf(out, "  %-*s%*s%*s  %-*s%s\n", NAME, "IMU", DRIFT, "nmi/h", LIMITS, "nmi/h", 30,
             "largest source", c->required ? "verdict" : "");
-    rule(out);
+    page_rule(out);
     for (size_t i = 0; i < c->count; i++) {
         const compared *const item = &c->items[i];
         const double drift = nmi_per_h(comparison_drift(item));
-        const schuler_budget_row *const row = largest(item->result);
+        const schuler_budget_row *const row = budget_largest(item->result, NULL);
         char most[ID_MAX + 16] = "";
-        if (row) snprintf(most, sizeof most, "%s %.0f %%", row->id, 100.0 * row->share);
+        if (row && row->share > 0.0)
+            snprintf(most, sizeof most, "%s %.0f %%", row->id, 100.0 * row->share);
         fputs("  ", out);
         page_cell(out, item->name, NAME);
         fprintf(out, "%*.*f", DRIFT, digits_for(drift), drift);
@@ -155,7 +141,7 @@ static void put_budgets(FILE *out, const comparison *c, const line *lines, size_
         fprintf(out, "%*s", COLUMN - 1, name);
     }
     fputc('\n', out);
-    rule(out);
+    page_rule(out);
     for (size_t k = 0; k < count; k++) {
         fputs("  ", out);
         page_cell(out, lines[k].id, SOURCE);
@@ -169,7 +155,7 @@ static void put_budgets(FILE *out, const comparison *c, const line *lines, size_
         }
         fputc('\n', out);
     }
-    rule(out);
+    page_rule(out);
     fputs("  ", out);
     page_cell(out, "joint run", SOURCE);
     for (size_t i = first; i < end; i++) {

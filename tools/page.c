@@ -72,6 +72,13 @@ void page_wrap(FILE *out, const char *text, int at, int indent)
     fputc('\n', out);
 }
 
+void page_rule(FILE *out)
+{
+    fputs("  ", out);
+    for (int i = 0; i < 78; i++) fputc('-', out);
+    fputc('\n', out);
+}
+
 void page_duration(FILE *out, double seconds)
 {
     const double ms = nearbyint(seconds * 1000.0);

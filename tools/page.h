@@ -24,6 +24,8 @@ void page_drop(page *p); /* free without showing */
 void page_cell(FILE *out, const char *text, int columns);
 /** Words wrapped to 80 columns, each line indented; the first starts at column `at`. */
 void page_wrap(FILE *out, const char *text, int at, int indent);
+/** A line across, in two columns of margin. */
+void page_rule(FILE *out);
 /** h:mm:ss, with as many decimals as the seconds need (at most 3). */
 void page_duration(FILE *out, double seconds);
 

@@ -111,6 +111,20 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     }
 }
 
+void simulation_take_file(simulation_arguments *a, char *file, struct argp_state *state)
+{
+    if (a->file) argp_error(state, "one scenario file, not also '%s'", file);
+    a->file = file;
+}
+
+void simulation_need_file(const simulation_arguments *a, struct argp_state *state,
+                          bool has_directory)
+{
+    if (!a->file) argp_error(state, "which scenario file? ('schuler init' lists templates)");
+    if (a->directory && !has_directory)
+        argp_error(state, "-o DIR belongs to run; this verb writes what its own switches say");
+}
+
 const struct argp simulation_argp = { .options = options, .parser = parse };
 const struct argp simulation_argp_single = { .options = options + OF_BUDGETS, .parser = parse };
 

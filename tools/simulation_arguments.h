@@ -33,6 +33,12 @@ extern const struct argp simulation_argp;
 /* The same without --only, --without, -o and --quiet. */
 extern const struct argp simulation_argp_single;
 
+/** The verb's file, one of them; what else there is is a usage error. */
+void simulation_take_file(simulation_arguments *arguments, char *file, struct argp_state *state);
+/** At the end: a file was given, and no -o to a verb that writes no directory. */
+void simulation_need_file(const simulation_arguments *arguments, struct argp_state *state,
+                          bool has_directory);
+
 /** The overrides as switches ("--seed 7 --set 'a.b=1 m'"), for provenance; to be freed, NULL when
  * out of memory. */
 char *simulation_switches(const simulation_arguments *arguments);

@@ -40,15 +40,12 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->csv = arg;
         return 0;
     case ARGP_KEY_ARG:
-        if (a->simulation.file) argp_error(state, "one scenario file, not also '%s'", arg);
-        a->simulation.file = arg;
+        simulation_take_file(&a->simulation, arg, state);
         return 0;
     case ARGP_KEY_END:
-        if (!a->simulation.file) argp_error(state, "which scenario file?");
+        simulation_need_file(&a->simulation, state, false);
         if (a->simulation.count_imus < 2)
             argp_error(state, "two IMUs or more are compared: --imu A --imu B");
-        if (a->simulation.directory)
-            argp_error(state, "compare writes --json and --csv; -o belongs to run");
         if (a->csv && a->simulation.json && strcmp(a->csv, "-") == 0 &&
             strcmp(a->simulation.json, "-") == 0)
             argp_error(state, "--csv and --json cannot both go to standard output");

@@ -30,11 +30,10 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->all = true;
         return 0;
     case ARGP_KEY_ARG:
-        if (a->file) argp_error(state, "one scenario file, not also '%s'", arg);
-        a->file = arg;
+        simulation_take_file(a, arg, state);
         return 0;
     case ARGP_KEY_END:
-        if (!a->file) argp_error(state, "which scenario file? ('schuler init' lists templates)");
+        simulation_need_file(a, state, true);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

@@ -49,13 +49,11 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         cut_list(a, arg, state);
         return 0;
     case ARGP_KEY_ARG:
-        if (a->simulation.file) argp_error(state, "one scenario file, not also '%s'", arg);
-        a->simulation.file = arg;
+        simulation_take_file(&a->simulation, arg, state);
         return 0;
     case ARGP_KEY_END:
-        if (!a->simulation.file) argp_error(state, "which scenario file?");
+        simulation_need_file(&a->simulation, state, false);
         if (a->count == 0) argp_error(state, "for which source? --for SOURCE,...");
-        if (a->simulation.directory) argp_error(state, "solve writes --json; -o belongs to run");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -128,9 +126,8 @@ static exit_code print(const schuler_scenario *s, const answer *answers, size_t 
             statistic_name(s->requirement.statistic), nmi_per_h(s->requirement.drift_mps));
     page_cell(p.out, "source, the others held", 26);
     page_cell(p.out, "now", 22);
-    fputs("may be\n  ", p.out);
-    for (int i = 0; i < 76; i++) fputc('-', p.out);
-    fputc('\n', p.out);
+    fputs("may be\n", p.out);
+    page_rule(p.out);
     for (size_t i = 0; i < count; i++) put_answer(p.out, &answers[i], &s->requirement);
     return page_show(&p);
 }

@@ -57,11 +57,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
             argp_error(state, "two sources at most, not also '%s'", arg);
         return 0;
     case ARGP_KEY_END:
-        if (!a->simulation.file) argp_error(state, "which scenario file?");
+        simulation_need_file(&a->simulation, state, false);
         if (a->axis_count == 0)
             argp_error(state, "which source? For example gyro.bias='0.001..0.1 deg/h'");
-        if (a->simulation.directory)
-            argp_error(state, "sweep writes --json and --csv; -o belongs to run");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* schuler verify: requirements with confidence, as exit status. */
+#include "scenarios/metrics.h"
 #include "tools/arguments.h"
 #include "tools/budget_table.h"
 #include "tools/json.h"
@@ -109,15 +110,6 @@ static const struct argp argp = {
         "running, 4 too few runs to tell of one, and none fails, 130 interrupted.",
 };
 
-/* The interval shrinks with the square root of the runs. */
-static double more_runs(const schuler_judgement *j, double limit_mps, int runs)
-{
-    if (!isfinite(j->upper_mps) || j->lower_mps <= 0.0) return 100.0 > runs ? 100.0 : 2.0 * runs;
-    const double gap = fabs(j->value_mps - limit_mps);
-    const double width = fmax(j->upper_mps - j->value_mps, j->value_mps - j->lower_mps);
-    return gap > 0.0 ? ceil(runs * (width / gap) * (width / gap)) : (double)INFINITY;
-}
-
 static void describe(verified *v, const schuler_scenario *s, const schuler_result *result)
 {
     const schuler_judgement *const j = &result->judgement;
@@ -133,7 +125,7 @@ static void describe(verified *v, const schuler_scenario *s, const schuler_resul
                                    nmi_per_h(j->value_mps), statistic, limits,
                                    nmi_per_h(s->requirement.drift_mps), result->runs);
     if (j->verdict != SCHULER_VERDICT_INCONCLUSIVE || used >= sizeof v->message) return;
-    const double runs = more_runs(j, s->requirement.drift_mps, result->runs);
+    const double runs = schuler_runs_to_decide(j, s->requirement.drift_mps, result->runs);
     snprintf(v->message + used, sizeof v->message - used,
              runs <= 1e6 ? "; about %.0f would tell" : "; too close to the limit to be told", runs);
 }
