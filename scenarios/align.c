@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "scenarios/align.h"
-#include "mechanization/aligner.h"
-#include "mechanization/alignment.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -46,7 +44,7 @@ static double noise_of(const schuler_imu *imu, schuler_instrument instrument, co
     return least;
 }
 
-static schuler_alignment_setup setup_of(const simulation_plan *p)
+schuler_alignment_setup schuler_align_setup(const simulation_plan *p)
 {
     /* 0.0003 deg/sqrt(h) and 1 ug/sqrt(Hz): below, rounding and sway count more. */
     const schuler_imu *const imu = &p->scenario->imu;
@@ -117,7 +115,7 @@ static schuler_vec3 gravity_of(const lane_batch_state *b, int i, const schuler_t
 
 static schuler_status solve(lane_batch_state *b, const alignment_run *a, schuler_error *err)
 {
-    const schuler_alignment_setup setup = setup_of(b->plan);
+    const schuler_alignment_setup setup = schuler_align_setup(b->plan);
     schuler_truth_block start;
     schuler_truth_block_compute(b->plan->truth, b->plan->isa, 0, 1, &start);
     schuler_quat *const q_b_e = calloc((size_t)b->count, sizeof *q_b_e);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "scenarios/covariance.h"
+#include "scenarios/align.h"
 #include "scenarios/covariance_parts.h"
 #include <math.h>
 #include <stdio.h>
@@ -273,7 +274,10 @@ schuler_status schuler_covariance_run(const schuler_scenario *scenario,
     c.truth = c.plan.truth = options->truth ? options->truth : own_truth;
     c.plan.count = schuler_sources_list(scenario, c.plan.sources);
     status = schuler_plan_times(&c.plan, err);
+    schuler_truth *align_truth = NULL;
+    if (status == SCHULER_OK) status = schuler_align_plan(&c.plan, &align_truth, err);
     if (status == SCHULER_OK) status = set_up(&c, err);
+    if (status == SCHULER_OK) status = covariance_align(&c, err);
     if (status == SCHULER_OK) status = propagate(&c, options->stop);
     if (status == SCHULER_OK)
         *out = c.result;
@@ -283,6 +287,8 @@ schuler_status schuler_covariance_run(const schuler_scenario *scenario,
     free(c.vectors);
     free(c.lanes);
     free(c.noises);
+    schuler_truth_free(align_truth);
+    schuler_path_free(&c.plan.align_path);
     schuler_truth_free(own_truth);
     return status;
 }

@@ -59,9 +59,12 @@ typedef struct {
     bool differs;    /* never with fewer than SCHULER_VERDICT_RUNS_MIN runs of what is drawn */
 } schuler_agreement;
 
-/** A row against the same row of a simulation; all zero when it is not covered. */
+/** A row against the same row of a simulation; all zero when it is not covered, and nothing differs that is less
+ *  than a thousandth of the whole.
+ *  Given   total_m   horizontal rms of all sources at the end */
 SCHULER_API schuler_agreement schuler_covariance_against(const schuler_covariance_row *row,
-                                                         const schuler_budget_row *simulated);
+                                                         const schuler_budget_row *simulated,
+                                                         double total_m);
 
 SCHULER_END_C
 

@@ -23,7 +23,7 @@ double schuler_covariance_sampling(const schuler_covariance_row *row, int runs)
 }
 
 schuler_agreement schuler_covariance_against(const schuler_covariance_row *row,
-                                             const schuler_budget_row *simulated)
+                                             const schuler_budget_row *simulated, double total_m)
 {
     schuler_agreement a = { 0 };
     if (row->uncovered || !(row->end_m > 0.0)) return a;
@@ -31,7 +31,8 @@ schuler_agreement schuler_covariance_against(const schuler_covariance_row *row,
     a.relative = simulated->rms_end_m / row->end_m - 1.0;
     if (sampling > 0.0) a.sigmas = a.relative / sampling;
     const bool is_told = sampling == 0.0 || simulated->runs >= SCHULER_VERDICT_RUNS_MIN;
-    a.differs = is_told && fabs(a.relative) > SCHULER_AGREEMENT_LEAST &&
+    const bool counts = fabs(simulated->rms_end_m - row->end_m) > 1e-3 * total_m;
+    a.differs = is_told && counts && fabs(a.relative) > SCHULER_AGREEMENT_LEAST &&
                 (sampling == 0.0 || fabs(a.sigmas) > SCHULER_AGREEMENT_SIGMAS);
     return a;
 }

@@ -84,6 +84,23 @@ static schuler_process_step step_of(const noise_member *m, double T_s)
     return schuler_gauss_markov_step(m->sigma, m->T_s, T_s);
 }
 
+void noise_source_inject(noise_source *n, double T_s, double (*G)[LINEAR_STATES])
+{
+    for (int q = 0; q < n->members; q++) {
+        noise_member *const m = &n->member[q];
+        const schuler_process_step s = step_of(m, T_s);
+        const double *const g = G[n->axis[q]];
+        const double integral = s.gain * s.gain * m->variance + s.q22;
+        for (int i = 0; i < N; i++)
+            for (int j = 0; j < N; j++)
+                n->P[i][j] +=
+                    s.gain * (m->cross[i] * g[j] + g[i] * m->cross[j]) + g[i] * integral * g[j];
+        for (int i = 0; i < N; i++)
+            m->cross[i] = s.phi * m->cross[i] + g[i] * (s.phi * s.gain * m->variance + s.q12);
+        m->variance = s.phi * s.phi * m->variance + s.q11;
+    }
+}
+
 void noise_source_step(noise_source *n, double T_s, const schuler_mat3 *C_b_e,
                        const linear_matrix *transition, const linear_matrix *drive)
 {
@@ -110,20 +127,12 @@ void noise_source_step(noise_source *n, double T_s, const schuler_mat3 *C_b_e,
             n->P[i][j] = sum;
         }
     for (int q = 0; q < n->members; q++) {
-        noise_member *const m = &n->member[q];
-        const schuler_process_step s = step_of(m, T_s);
-        const double *const g = G[n->axis[q]];
         double moved[N];
         for (int i = 0; i < N; i++) {
             moved[i] = 0.0;
-            for (int k = 0; k < N; k++) moved[i] += transition->m[i][k] * m->cross[k];
+            for (int k = 0; k < N; k++) moved[i] += transition->m[i][k] * n->member[q].cross[k];
         }
-        const double integral = s.gain * s.gain * m->variance + s.q22;
-        for (int i = 0; i < N; i++)
-            for (int j = 0; j < N; j++)
-                n->P[i][j] += s.gain * (moved[i] * g[j] + g[i] * moved[j]) + g[i] * integral * g[j];
-        for (int i = 0; i < N; i++)
-            m->cross[i] = s.phi * moved[i] + g[i] * (s.phi * s.gain * m->variance + s.q12);
-        m->variance = s.phi * s.phi * m->variance + s.q11;
+        memcpy(n->member[q].cross, moved, sizeof moved);
     }
+    noise_source_inject(n, T_s, G);
 }

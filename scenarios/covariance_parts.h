@@ -30,7 +30,22 @@ typedef struct {
     schuler_lane_spec spec;
 } sensor_lane;
 
-typedef struct sensor_bench sensor_bench;
+/* Both triads with their lanes. */
+typedef struct {
+    schuler_chain *chain;
+    int count;    /* lanes */
+    int *vector;  /* of each */
+    char *states; /* of each vector of lanes */
+    size_t state_size;
+} triad_bench;
+
+typedef struct {
+    const simulation_plan *plan;
+    int width;
+    triad_bench triad[SCHULER_INSTRUMENTS];
+    schuler_truth_nodes *nodes; /* NULL when not needed */
+    double *measured;           /* [axis][step][lane] */
+} sensor_bench;
 
 /** Lanes of both triads for a plan whose truth is set.
  *  Errors   SCHULER_ERR_MEMORY, SCHULER_ERR_NUMERIC (chain) */
@@ -75,6 +90,9 @@ typedef struct {
 /** The processes of a source; NULL when it is one, else why it is not covered. */
 const char *noise_source_of(noise_source *out, const simulation_plan *plan, int source);
 
+/** Let the processes go on for a time, in which the integral of an axis adds G[axis] of it to the error. */
+void noise_source_inject(noise_source *n, double T_s, double (*G)[LINEAR_STATES]);
+
 /** Over a stretch. C_b_e: mean over it, column = body axis. */
 void noise_source_step(noise_source *n, double T_s, const schuler_mat3 *C_b_e,
                        const linear_matrix *transition, const linear_matrix *drive);
@@ -97,6 +115,10 @@ typedef struct {
 /** Vectors, lanes or processes of a source, added to the run's.
  *  Returned   NULL, or why it is not covered */
 const char *covariance_add_source(covariance_run *c, int source);
+
+/** Attitudes that a self-alignment ends with, put into the vectors and processes. Nothing when there is none.
+ *  Errors   SCHULER_ERR_MEMORY, SCHULER_ERR_NUMERIC */
+schuler_status covariance_align(covariance_run *c, schuler_error *err);
 
 /** Mean and one sigma of a component of a source over the runs. */
 void covariance_moments(const error_source *s, int component, uint64_t seed, double *mean,

@@ -8,22 +8,6 @@ enum {
     STATE_ALIGN = 64,
 };
 
-typedef struct {
-    schuler_chain *chain;
-    int count;    /* lanes */
-    int *vector;  /* of each */
-    char *states; /* of each vector of lanes */
-    size_t state_size;
-} triad_bench;
-
-struct sensor_bench {
-    const simulation_plan *plan;
-    int width;
-    triad_bench triad[SCHULER_INSTRUMENTS];
-    schuler_truth_nodes *nodes; /* NULL when not needed */
-    double *measured;           /* [axis][step][lane] */
-};
-
 static schuler_status make_triad(sensor_bench *b, schuler_instrument instrument,
                                  const sensor_lane *lanes, int count, schuler_error *err)
 {
@@ -32,9 +16,10 @@ static schuler_status make_triad(sensor_bench *b, schuler_instrument instrument,
     for (int i = 0; i < count; i++) t->count += lanes[i].instrument == instrument;
     if (t->count == 0) return SCHULER_OK;
     chain_parts parts;
-    const schuler_chain_setup setup =
+    schuler_chain_setup setup =
         schuler_chain_setup_of(&p->scenario->imu, instrument, p->isa, schuler_truth_dt(p->truth),
                                p->scenario->seed, &parts);
+    setup.start_s = -(double)p->align_steps * schuler_truth_dt(p->truth);
     const schuler_status status = schuler_chain_create(&t->chain, &setup, err);
     if (status != SCHULER_OK) return status;
     const int groups = (t->count + b->width - 1) / b->width;
@@ -121,12 +106,14 @@ void sensor_bench_take(sensor_bench *b, const schuler_truth_block *truth,
 {
     const simulation_plan *const p = b->plan;
     if (b->nodes) schuler_truth_nodes_compute(p->truth, p->isa, truth->first, truth->n, b->nodes);
+    schuler_truth_block sensed = *truth;
+    sensed.first += p->align_steps; /* the sensors have been on since then */
     for (int i = 0; i < SCHULER_INSTRUMENTS; i++) {
         const triad_bench *const t = &b->triad[i];
         if (t->count == 0) continue;
         const double *const own =
             i == SCHULER_ACCEL ? &truth->dv_ib_b[0][0] : &truth->dtheta_ib_b[0][0];
-        schuler_chain_observe(t->chain, truth, b->nodes);
+        schuler_chain_observe(t->chain, &sensed, b->nodes);
         for (int g = 0; g * b->width < t->count; g++) {
             schuler_chain_apply(t->chain, t->states + t->state_size * (size_t)g, b->measured);
             for (int k = 0; k < count; k++)

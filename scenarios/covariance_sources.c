@@ -89,7 +89,6 @@ static const char *add_vectors(covariance_run *c, int source)
 const char *covariance_add_source(covariance_run *c, int source)
 {
     const error_source *const s = &c->plan.sources[source];
-    if (c->plan.scenario->align.given) return "the start is self-aligned";
     if (s->kind == SOURCE_GRAVITY) {
         add_vector(c, source, true);
         return NULL;

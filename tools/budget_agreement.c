@@ -9,7 +9,9 @@ void budget_agreement(FILE *out, const schuler_result *result, const schuler_cov
     size_t covered = 0, differing = 0;
     for (size_t i = 0; i < linear->row_count; i++) {
         covered += !linear->rows[i].uncovered;
-        differing += schuler_covariance_against(&linear->rows[i], &result->rows[i]).differs;
+        differing +=
+            schuler_covariance_against(&linear->rows[i], &result->rows[i], linear->total.end_m)
+                .differs;
     }
     if (linear->row_count == 0) return;
     fputc('\n', out);
@@ -22,7 +24,8 @@ void budget_agreement(FILE *out, const schuler_result *result, const schuler_cov
                 covered > 1 ? "all " : "the ", covered, covered == 1 ? "" : "s");
     for (size_t i = 0; i < linear->row_count; i++) {
         const schuler_covariance_row *const row = &linear->rows[i];
-        const schuler_agreement a = schuler_covariance_against(row, &result->rows[i]);
+        const schuler_agreement a =
+            schuler_covariance_against(row, &result->rows[i], linear->total.end_m);
         if (row->uncovered)
             fprintf(out, "  not in the covariance: %s, as %s\n", row->id, row->uncovered);
         else if (a.differs && a.sigmas != 0.0)

@@ -24,7 +24,8 @@ static json_t *comparison(const schuler_result *result, const schuler_covariance
     json_t *const differ = json_array(), *const uncovered = json_array();
     for (size_t i = 0; i < linear->row_count; i++) {
         const schuler_covariance_row *const row = &linear->rows[i];
-        const schuler_agreement a = schuler_covariance_against(row, &result->rows[i]);
+        const schuler_agreement a =
+            schuler_covariance_against(row, &result->rows[i], linear->total.end_m);
         if (row->uncovered)
             json_array_append_new(
                 uncovered, json_pack("{s:s, s:s}", "source", row->id, "because", row->uncovered));
