@@ -14,9 +14,11 @@ typedef struct {
     __typeof__(nc_def_dim) *def_dim;
     __typeof__(nc_def_var) *def_var;
     __typeof__(nc_put_att_text) *put_att_text;
+    __typeof__(nc_put_att_double) *put_att_double;
     __typeof__(nc_put_att_ulonglong) *put_att_ulonglong;
     __typeof__(nc_enddef) *enddef;
     __typeof__(nc_put_vara_double) *put_vara_double;
+    __typeof__(nc_put_vara_text) *put_vara_text;
     __typeof__(nc_open) *open;
     __typeof__(nc_inq_varid) *inq_varid;
     __typeof__(nc_inq_varndims) *inq_varndims;

@@ -10,7 +10,8 @@
 #include <unistd.h>
 
 /* Everything that a result consists of; nothing else is ever removed. */
-static const char *const files[] = { "budget.csv", "errors.csv", "result.json", "scenario.yaml" };
+static const char *const files[] = { "budget.csv", "errors.csv", "result.json", "result.nc",
+                                     "scenario.yaml" };
 enum { FILES = sizeof(files) / sizeof(files[0]) };
 
 static bool is_result_file(const char *name)

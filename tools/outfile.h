@@ -39,7 +39,7 @@ typedef struct {
  * of an earlier result and nothing else: it is replaced at the end. Says errors: EXIT_INPUT when it
  * holds other things, EXIT_FAILED when it cannot be made. */
 exit_code outdir_open(outdir *d, const char *path);
-/** Start a file in it: budget.csv, errors.csv, result.json or scenario.yaml. */
+/** Start a file in it: budget.csv, errors.csv, result.json, result.nc or scenario.yaml. */
 exit_code outdir_file(const outdir *d, outfile *o, const char *name);
 exit_code outdir_publish(outdir *d);
 void outdir_drop(outdir *d);

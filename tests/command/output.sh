@@ -3,10 +3,11 @@
 . "$COMMAND_TESTS/lib.sh"
 small_scenario >mission.yaml
 expect 0 "$SCHULER" run mission.yaml -o result
-for file in budget.csv errors.csv result.json scenario.yaml; do
+for file in budget.csv errors.csv result.json result.nc scenario.yaml; do
     [ -s result/$file ] || complain "no $file"
+    has out $file
 done
-[ "$(ls result | wc -l)" -eq 4 ] || complain "more in it: $(ls result)"
+[ "$(ls result | wc -l)" -eq 5 ] || complain "more in it: $(ls result)"
 head -n 1 result/errors.csv >header
 echo "source,run,time_s,north_m,east_m,down_m,vn_mps,ve_mps,vd_mps,roll_arcsec,pitch_arcsec,heading_arcsec" >wanted
 same header wanted
@@ -14,6 +15,47 @@ for source in all none accel.bias gyro.bias gyro.angle_random_walk; do
     grep -q "^$source,0,120," result/errors.csv || complain "no end of $source in errors.csv"
 done
 grep '^none,' result/errors.csv | head -n 1 | grep -q '^none,0,0,' || complain "no row at time 0"
+
+# The NetCDF file: numbers of a run's end are those of errors.csv, and what made it stands in it.
+if command -v ncdump >/dev/null 2>&1; then
+    expect 0 "$SCHULER" run mission.yaml --seed 3 --set 'report.every=40 s' -o told
+    expect 0 ncdump -h told/result.nc
+    has out "source = 7 ;"
+    has out "run = 12 ;"
+    has out "time = 3 ;"
+    has out 'end_m:units = "m" ;'
+    has out ':Conventions = "CF-1.8" ;'
+    has out ':format = "schuler-result-1" ;'
+    has out ":command = \"schuler run SCENARIO --seed 3 --set \\'report.every=40 s\\'\" ;"
+    has out ":seed = 3ULL ;"
+    has out ":runs = 12ULL ;"
+    has out 'scenario: Two minutes at rest\nseed: 7'
+    ncdump -v source_name told/result.nc | sed -n '/^ source_name/,/;/p' | grep -o '"[^"]*"' | tr -d '"' >got
+    printf '%s\n' accel.bias accel.velocity_random_walk gyro.bias gyro.angle_random_walk numerical all none >wanted
+    same got wanted
+    ncdump -v end_m -p 9,17 told/result.nc | sed -n '/^ end_m/,/;/p' | tr -d ' \n;' | sed 's/end_m=//' | tr , '\n' >got
+    echo >>got
+    awk -F, '$3 == 120 && $1 == "all" { printf "%.17g\n", sqrt($4 * $4 + $5 * $5) }' told/errors.csv >wanted
+    sed -n 61,72p got | paste -d' ' - wanted | awk '
+        { d = $1 - $2; if (d < 0) d = -d; if (!(d <= 1e-15 * $2)) bad++ } END { exit bad > 0 || NR != 12 }' ||
+        complain "end_m: $(sed -n 61,72p got | paste - wanted)"
+fi
+
+# Without the library of such files there is none, and all else as before.
+mkdir none
+echo nothing >none/libnetcdf.so.19
+expect 0 env LD_LIBRARY_PATH="$work/none" "$SCHULER" run mission.yaml -o without
+has err "warning: no result.nc: NetCDF files need the library"
+lacks out result.nc
+absent without/result.nc
+same without/result.json result/result.json
+same without/errors.csv result/errors.csv
+expect 0 env LD_LIBRARY_PATH="$work/none" "$SCHULER" run mission.yaml -o without --quiet
+empty err
+[ "$(ls without | wc -l)" -eq 4 ] || complain "in it: $(ls without)"
+# Nothing is left of an earlier one.
+expect 0 env LD_LIBRARY_PATH="$work/none" "$SCHULER" run mission.yaml -o result --quiet
+absent result/result.nc
 
 # The copy runs again and gives the same budget.
 "$SCHULER" run mission.yaml --seed 3 -o seeded >out || complain "run --seed 3"
@@ -81,6 +123,12 @@ if [ "$(id -u)" -eq 0 ] && mkdir tiny && mount -t tmpfs -o size=64k tmpfs tiny 2
     has err "No space left"
     [ -z "$(ls tiny)" ] || complain "left behind: $(ls tiny)"
     expect 3 "$SCHULER" truth mission.yaml --imu-out tiny/i.csv --reference-out tiny/r.csv
+    [ -z "$(ls tiny)" ] || complain "left behind: $(ls tiny)"
+    umount tiny
+    # Room for all but the NetCDF file.
+    mount -t tmpfs -o size=220k tmpfs tiny
+    expect 3 "$SCHULER" run mission.yaml -o tiny/result
+    has err "result.nc: No space left"
     [ -z "$(ls tiny)" ] || complain "left behind: $(ls tiny)"
     umount tiny
 fi

@@ -14,6 +14,7 @@ again() { # again DIR SWITCH...
     same first.json "$1.json"
     same first/errors.csv "$1/errors.csv"
     same first/budget.csv "$1/budget.csv"
+    same first/result.nc "$1/result.nc"
 }
 again repeated --threads 1
 again threads2 --threads 2
@@ -29,6 +30,12 @@ done
 result other --seed 8
 differ first.json other.json
 differ first/errors.csv other/errors.csv
+differ first/result.nc other/result.nc
+# Whatever the memory held, also that of the libraries.
+MALLOC_PERTURB_=165
+export MALLOC_PERTURB_
+again perturbed
+unset MALLOC_PERTURB_
 
 # A source alone draws what it draws in company.
 result alone --only gyro.bias

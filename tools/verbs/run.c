@@ -5,7 +5,7 @@
 #include "tools/messages.h"
 #include "tools/outfile.h"
 #include "tools/page.h"
-#include "tools/result_csv.h"
+#include "tools/result_directory.h"
 #include "tools/result_json.h"
 #include "tools/scenario_input.h"
 #include "tools/simulate.h"
@@ -54,35 +54,8 @@ static const struct argp argp = {
            "result\n" ARGUMENTS_VERDICT_STATUS,
 };
 
-static exit_code write_directory(outdir *dir, outfile *errors, const schuler_result *result,
-                                 const schuler_covariance *linear, const simulation_arguments *a)
-{
-    outfile budget = { 0 }, json = { 0 }, scenario = { 0 };
-    char *switches = simulation_switches(a);
-    exit_code code = switches ? outfile_publish(errors) : say_failure("out of memory");
-    if (code == EXIT_DONE) code = outdir_file(dir, &budget, "budget.csv");
-    if (code == EXIT_DONE) {
-        budget_csv(budget.file, result, linear);
-        code = outfile_publish(&budget);
-    }
-    if (code == EXIT_DONE) code = outdir_file(dir, &json, "result.json");
-    if (code == EXIT_DONE) code = json_put(result_json(result, linear), json.file);
-    if (code == EXIT_DONE) code = outfile_publish(&json);
-    if (code == EXIT_DONE) code = outdir_file(dir, &scenario, "scenario.yaml");
-    if (code == EXIT_DONE) {
-        scenario_copy(scenario.file, result->scenario, switches);
-        code = outfile_publish(&scenario);
-    }
-    if (code == EXIT_DONE) code = outdir_publish(dir);
-    outfile_drop(&budget);
-    outfile_drop(&json);
-    outfile_drop(&scenario);
-    free(switches);
-    return code;
-}
-
 static exit_code print_result(const schuler_result *result, const schuler_covariance *linear,
-                              const simulation_arguments *a)
+                              const simulation_arguments *a, bool netcdf)
 {
     page p;
     page_open(&p);
@@ -95,8 +68,8 @@ static exit_code print_result(const schuler_result *result, const schuler_covari
     if (complete && (!a->quiet || result->scenario->requirement.given))
         budget_verdict(p.out, result);
     if (complete && a->directory && !a->quiet)
-        fprintf(p.out, "\nResult files in %s: budget.csv errors.csv result.json scenario.yaml\n",
-                a->directory);
+        fprintf(p.out, "\nResult files in %s: budget.csv errors.csv result.json%s scenario.yaml\n",
+                a->directory, netcdf ? " result.nc" : "");
     if (complete) return page_show(&p);
     page_drop(&p);
     return say_failure("out of memory");
@@ -107,9 +80,10 @@ static exit_code deliver(const schuler_result *result, const schuler_covariance 
 {
     exit_code code = EXIT_DONE;
     const bool json_on_stdout = a->json && strcmp(a->json, "-") == 0;
-    if (a->directory) code = write_directory(dir, errors, result, linear, a);
+    bool netcdf = false;
+    if (a->directory) code = result_directory_write(dir, errors, result, linear, a, &netcdf);
     if (code == EXIT_DONE && a->json) code = json_write(result_json(result, linear), a->json);
-    if (code == EXIT_DONE && !json_on_stdout) code = print_result(result, linear, a);
+    if (code == EXIT_DONE && !json_on_stdout) code = print_result(result, linear, a, netcdf);
     return code == EXIT_DONE ? budget_exit(result) : code;
 }
 
