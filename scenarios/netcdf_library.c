@@ -20,11 +20,15 @@ static const struct {
     { "nc_put_vara_double", offsetof(netcdf_library, put_vara_double) },
     { "nc_put_vara_text", offsetof(netcdf_library, put_vara_text) },
     { "nc_open", offsetof(netcdf_library, open) },
+    { "nc_inq_att", offsetof(netcdf_library, inq_att) },
+    { "nc_get_att_text", offsetof(netcdf_library, get_att_text) },
+    { "nc_inq_dimid", offsetof(netcdf_library, inq_dimid) },
     { "nc_inq_varid", offsetof(netcdf_library, inq_varid) },
     { "nc_inq_varndims", offsetof(netcdf_library, inq_varndims) },
     { "nc_inq_vardimid", offsetof(netcdf_library, inq_vardimid) },
     { "nc_inq_dimlen", offsetof(netcdf_library, inq_dimlen) },
     { "nc_get_vara_double", offsetof(netcdf_library, get_vara_double) },
+    { "nc_get_vara_text", offsetof(netcdf_library, get_vara_text) },
     { "nc_close", offsetof(netcdf_library, close) },
 };
 

@@ -20,11 +20,15 @@ typedef struct {
     __typeof__(nc_put_vara_double) *put_vara_double;
     __typeof__(nc_put_vara_text) *put_vara_text;
     __typeof__(nc_open) *open;
+    __typeof__(nc_inq_att) *inq_att;
+    __typeof__(nc_get_att_text) *get_att_text;
+    __typeof__(nc_inq_dimid) *inq_dimid;
     __typeof__(nc_inq_varid) *inq_varid;
     __typeof__(nc_inq_varndims) *inq_varndims;
     __typeof__(nc_inq_vardimid) *inq_vardimid;
     __typeof__(nc_inq_dimlen) *inq_dimlen;
     __typeof__(nc_get_vara_double) *get_vara_double;
+    __typeof__(nc_get_vara_text) *get_vara_text;
     __typeof__(nc_close) *close;
 } netcdf_library;
 
