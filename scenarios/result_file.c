@@ -151,6 +151,8 @@ static schuler_status read_all(reader *r, schuler_result_file *out)
     out->source_count = r->size[SOURCE];
     out->run_count = r->size[RUN];
     out->track_count = r->size[TRACK];
+    if (status == SCHULER_OK && schuler_result_file_find(out, "all") < 0)
+        status = broken(r, "source_name", "has no source 'all'");
     return status;
 }
 

@@ -1,29 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "tools/junit.h"
-
-/* Bytes that XML cannot hold become '?'. */
-static void put_escaped(FILE *out, const char *text)
-{
-    for (; *text; text++) {
-        const unsigned char c = (unsigned char)*text;
-        switch (c) {
-        case '&':
-            fputs("&amp;", out);
-            break;
-        case '<':
-            fputs("&lt;", out);
-            break;
-        case '>':
-            fputs("&gt;", out);
-            break;
-        case '"':
-            fputs("&quot;", out);
-            break;
-        default:
-            fputc(c < 0x20 || c == 0x7f ? '?' : c, out);
-        }
-    }
-}
+#include "tools/xml.h"
 
 static int fails(const verified *v)
 {
@@ -53,17 +30,17 @@ void junit_put(FILE *out, const void *what)
     for (size_t i = 0; i < all->count; i++) {
         const verified *const v = &all->items[i];
         fputs("<testcase classname=\"", out);
-        put_escaped(out, v->file);
+        xml_text(out, v->file);
         fputs("\" name=\"", out);
-        put_escaped(out, v->name ? v->name : v->file);
+        xml_text(out, v->name ? v->name : v->file);
         fprintf(out, "\" time=\"%.3f\">", v->seconds);
         if (fails(v) || is_error(v)) {
             fprintf(out, "<%s message=\"", fails(v) ? "failure" : "error");
-            put_escaped(out, v->message);
+            xml_text(out, v->message);
             fputs("\"/>", out);
         } else {
             fputs("<system-out>", out);
-            put_escaped(out, v->message);
+            xml_text(out, v->message);
             fputs("</system-out>", out);
         }
         fputs("</testcase>\n", out);

@@ -26,6 +26,7 @@ static const verb verbs[] = {
     { "sensors", "the catalog of real parts: list, show NAME", verb_sensors },
     { "models", "sensor models, trajectories, frames, gravity: list, show NAME", verb_models },
     { "explain", "an error source: formula, growth of its position error, its size", verb_explain },
+    { "export", "a result for other programs: CSV of its runs, KML of its track", verb_export },
     { "truth", "write exact increments and the true trajectory of a scenario", verb_truth },
     { "navigate", "navigate over recorded increments, compare with a reference", verb_navigate },
     { "allan", "noise coefficients and a sensor file from recorded data at rest", verb_allan },

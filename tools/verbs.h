@@ -28,6 +28,7 @@ exit_code verb_check(int argc, char **argv);
 exit_code verb_sensors(int argc, char **argv);
 exit_code verb_models(int argc, char **argv);
 exit_code verb_explain(int argc, char **argv);
+exit_code verb_export(int argc, char **argv);
 exit_code verb_truth(int argc, char **argv);
 exit_code verb_allan(int argc, char **argv);
 exit_code verb_characterize(int argc, char **argv);

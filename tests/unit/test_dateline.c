@@ -119,9 +119,9 @@ static void an_area_across_it_is_two_that_sum_to_the_whole(void **state)
     CHECK_NEAR(area(away, 4), 100.0, 1e-9);
     assert_int_equal(got.pieces, 1);
     const schuler_map_point touches[] = {
-        { 170, 0, 0 }, { 180, 0, 0 }, { 180, 10, 0 }, { 170, 10, 0 }
+        { 170, 0, 0 }, { 180, 0, 0 }, { 180, 5, 0 }, { 180, 10, 0 }, { 170, 10, 0 }
     };
-    CHECK_NEAR(area(touches, 4), 100.0, 1e-9);
+    CHECK_NEAR(area(touches, 5), 100.0, 1e-9);
     assert_int_equal(got.pieces, 1);
 }
 

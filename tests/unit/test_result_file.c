@@ -106,6 +106,23 @@ static void values_that_no_result_holds_are_refused(void **state)
     spoiled(NULL, 0.0, "scenario_name", NULL);
 }
 
+static void the_joint_runs_must_be_there(void **state)
+{
+    (void)state;
+    schuler_scenario *s;
+    schuler_result *r;
+    int id, variable;
+    write_good(&s, &r);
+    const size_t at[2] = { r->row_count, 1 };
+    assert_int_equal(nc_open(path, NC_WRITE, &id), NC_NOERR);
+    assert_int_equal(nc_inq_varid(id, "source_name", &variable), NC_NOERR);
+    assert_int_equal(nc_put_var1_text(id, variable, at, "x"), NC_NOERR);
+    nc_close(id);
+    refused("'source_name' has no source 'all'");
+    schuler_result_free(r);
+    schuler_scenario_free(s);
+}
+
 /* Dimensions of these sizes, end_m along `second`. */
 static void put_other(size_t sources, const char *second, int type)
 {
@@ -162,6 +179,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_was_written_is_read),
         cmocka_unit_test(values_that_no_result_holds_are_refused),
+        cmocka_unit_test(the_joint_runs_must_be_there),
         cmocka_unit_test(files_of_other_shape_are_refused),
     };
     return cmocka_run_group_tests(tests, make_file, remove_file);
