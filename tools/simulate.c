@@ -49,6 +49,7 @@ exit_code simulate(const schuler_scenario *scenario, const simulation_arguments 
 {
     schuler_error error = { 0 };
     progress bar = progress_start(a->quiet);
+    bar.note = a->note;
     sink s = { &bar, errors ? errors->file : NULL };
     if (s.errors) errors_csv_header(s.errors);
     schuler_run_options wanted = simulation_options(a);

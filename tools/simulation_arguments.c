@@ -59,7 +59,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         return 0;
     case KEY_RUNS:
         a->overrides.has_runs = 1;
-        a->overrides.runs = (int)arguments_integer(state, "--runs", arg, 1, 100000);
+        a->overrides.runs = (int)arguments_integer(state, "--runs", arg, 1, SIMULATION_RUNS_MAX);
         return 0;
     case KEY_SEED:
         a->overrides.has_seed = 1;

@@ -9,7 +9,7 @@
 #include <argp.h>
 #include <stdbool.h>
 
-enum { SIMULATION_SET_MAX = 256 };
+enum { SIMULATION_SET_MAX = 256, SIMULATION_RUNS_MAX = 100000 };
 
 typedef struct {
     const char *file;
@@ -18,6 +18,8 @@ typedef struct {
     bool has_isa, quiet, all;
     bool joint_only;            /* no row for each source */
     const schuler_truth *truth; /* made by the verb, for several simulations; or NULL */
+    double until;               /* wanted precision of the drift, relative; 0: the runs are given */
+    char note[60];              /* shown in the progress line */
     schuler_isa isa;
     schuler_overrides overrides;
     const char *set[SIMULATION_SET_MAX];

@@ -144,6 +144,7 @@ void progress_show(progress *p, double fraction)
         else
             fprintf(stderr, "   %ld:%02ld left", left_s / 60, left_s % 60);
     }
+    if (p->note && *p->note) fprintf(stderr, "   %s", p->note);
     fputs("\033[K", stderr);
     fflush(stderr);
     p->shown = true;

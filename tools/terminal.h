@@ -30,6 +30,7 @@ char *terminal_text(const char *text);
 typedef struct {
     bool shown, wanted;
     struct timespec start;
+    const char *note; /* shown behind the time; borrowed, NULL or "" for none */
 } progress;
 
 progress progress_start(bool quiet);

@@ -24,6 +24,10 @@ has out "$escape[1;32mPASS"
 # Progress: truth shows it from its first step on; the line is erased at the end.
 on_terminal "$SCHULER truth mission.yaml --imu-out imu.csv"
 has out "  0 %$escape[K"
+# ... and with --until what is known so far.
+on_terminal "$SCHULER run mission.yaml --until 20%"
+[ "$(tr '\r' '\n' <out | grep -o '0\.[0-9]* nmi/h CEP ± [0-9]* %' | sort -u | wc -l)" -gt 2 ] ||
+    complain "no estimates: $(tr '\r' '\n' <out | head -n 9)"
 NO_COLOR=1
 export NO_COLOR
 on_terminal "$SCHULER run mission.yaml --quiet"

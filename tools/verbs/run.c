@@ -9,13 +9,17 @@
 #include "tools/result_json.h"
 #include "tools/scenario_input.h"
 #include "tools/simulate.h"
+#include "tools/until.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+enum { KEY_UNTIL = 256 };
+
 static const struct argp_option options[] = {
     { "all", 'a', NULL, 0, "show every source, however small", 0 },
+    { "until", KEY_UNTIL, "PERCENT", 0, "more runs until the drift's 95% limits are within it", 0 },
     { 0 },
 };
 
@@ -28,6 +32,12 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         return 0;
     case 'a':
         a->all = true;
+        return 0;
+    case KEY_UNTIL:
+        if (schuler_quantity_parse(arg, (schuler_dim)SCHULER_DIM_NONE, &a->until, NULL) !=
+                SCHULER_OK ||
+            !(a->until >= 1e-5 && a->until <= 0.5))
+            argp_error(state, "--until: '%s' is not a percentage from 0.001%% to 50%%", arg);
         return 0;
     case ARGP_KEY_ARG:
         simulation_take_file(a, arg, state);
@@ -50,6 +60,7 @@ static const struct argp argp = {
            "\vExamples:\n"
            "  schuler run scenarios/atlantic.yaml\n"
            "  schuler run flight.yaml --imu stim300 --runs 400 --json -\n"
+           "  schuler run flight.yaml --until 2%\n"
            "  schuler run flight.yaml --set 'imu.gyro.bias=0.01 deg/h' -o "
            "result\n" ARGUMENTS_VERDICT_STATUS,
 };
@@ -99,7 +110,7 @@ static void announce(const schuler_covariance *linear)
             linear->total.end_m, most->id, 100.0 * fmin(share, 1.0));
 }
 
-static exit_code run(const schuler_scenario *scenario, simulation_arguments *a)
+static exit_code run(schuler_scenario *scenario, simulation_arguments *a)
 {
     outdir dir = { 0 };
     outfile errors = { 0 };
@@ -112,6 +123,7 @@ static exit_code run(const schuler_scenario *scenario, simulation_arguments *a)
     if (code == EXIT_DONE) code = simulation_truth(scenario, a, &truth);
     if (code == EXIT_DONE) code = simulate_linear(scenario, a, &linear);
     if (code == EXIT_DONE && !a->quiet) announce(linear);
+    if (code == EXIT_DONE && a->until > 0.0) code = until_runs(scenario, a);
     if (code == EXIT_DONE) code = simulate(scenario, a, &errors, &result);
     if (code == EXIT_DONE) code = deliver(result, linear, a, &dir, &errors);
     schuler_result_free(result);
