@@ -123,6 +123,12 @@ expect 2 "$SCHULER" export --csv x.csv
 expect 2 "$SCHULER" export result result --csv x.csv
 expect 2 "$SCHULER" export result --csv same --kml same
 expect 2 "$SCHULER" export result --csv ''
+cp result/result.nc untouched.nc
+ln -s result/result.nc link
+expect 2 "$SCHULER" export result --csv link
+has err "would be replaced"
+expect 2 "$SCHULER" export result/result.nc --kml result/result.nc
+same result/result.nc untouched.nc
 absent same
 expect 3 "$SCHULER" export result --csv x.csv --kml no/such.kml
 absent x.csv

@@ -78,6 +78,15 @@ static exit_code read_result(schuler_result_file *out, const char *path)
     return exit_of(status);
 }
 
+/* The result itself would be gone. */
+static exit_code check_target(const char *target, const char *path)
+{
+    struct stat to, from;
+    if (!target || stat(target, &to) != 0 || stat(path, &from) != 0) return EXIT_DONE;
+    if (to.st_dev != from.st_dev || to.st_ino != from.st_ino) return EXIT_DONE;
+    return say_bad_input("%s: this is the result, which would be replaced", target);
+}
+
 typedef schuler_status format_put(FILE *out, const schuler_result_file *result);
 
 /* A file complete beside its place; standard output at once. NULL and "-" are passed over when not their
@@ -125,7 +134,9 @@ exit_code verb_export(int argc, char **argv)
     arguments_parse(&argp, argc, argv, &a);
     char *const path = path_of(a.result);
     if (!path) return say_failure("out of memory");
-    exit_code code = read_result(&result, path);
+    exit_code code = check_target(a.csv, path);
+    if (code == EXIT_DONE) code = check_target(a.kml, path);
+    if (code == EXIT_DONE) code = read_result(&result, path);
     if (code == EXIT_DONE) code = write_all(&a, &result);
     schuler_result_file_free(&result);
     free(path);
