@@ -140,6 +140,8 @@ static void define_all(writer *w)
         define(w, &w->row_ids[i], of_rows[i].name, NC_DOUBLE, along == SOURCE ? 1 : 2, dimensions,
                of_rows[i].unit, of_rows[i].long_name);
     }
+    put_text(w, w->ids[NAME], "_Encoding",
+             "utf-8"); /* which makes them texts, not bytes, in xarray */
     note(w, w->nc.put_att_double(w->id, w->ids[COVARIANCE], "_FillValue", NC_DOUBLE, 1, &missing));
     note(w, w->nc.enddef(w->id));
 }

@@ -210,6 +210,9 @@ static void names_and_provenance_come_back(void **state)
     for (size_t i = 0; i < now.sources; i++) assert_string_equal(names[i], row_at(i)->id);
     assert_string_equal(names[now.sources - 2], "all");
     assert_string_equal(names[now.sources - 1], "none");
+    char encoding[6] = "";
+    assert_int_equal(nc_get_att_text(id, variable, "_Encoding", encoding), NC_NOERR);
+    assert_string_equal(encoding, "utf-8");
     unsigned long long seed, runs;
     assert_int_equal(nc_get_att_ulonglong(id, NC_GLOBAL, "seed", &seed), NC_NOERR);
     assert_int_equal(nc_get_att_ulonglong(id, NC_GLOBAL, "runs", &runs), NC_NOERR);
