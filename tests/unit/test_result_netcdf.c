@@ -249,7 +249,7 @@ static int simulate_once(void **state)
     now.s = mission_text(text);
     now.r = mission_run(now.s, &options);
     now.sources = now.r->row_count + 2;
-    return schuler_covariance_run(now.s, schuler_isa_best(), NULL, &now.linear, NULL) != SCHULER_OK;
+    return schuler_covariance_run(now.s, &options, &now.linear, NULL) != SCHULER_OK;
 }
 
 static int forget(void **state)
