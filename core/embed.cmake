@@ -3,6 +3,8 @@
 #
 # Included: schuler_embed(SYMBOL header.h folder word...) adds an array `schuler_embedded SYMBOL[]`,
 # declared in the header, with one entry for each folder/word.yaml in alphabetical order.
+# schuler_embed_files(target SYMBOL header.h file...) does so for any files, in the order given, and
+# adds the array to another target; names are without folder and ending.
 # As a script (cmake -P): writes that C file. SYMBOL, HEADER, OUTPUT and FILES are given with -D.
 
 if(CMAKE_SCRIPT_MODE_FILE)
@@ -41,11 +43,16 @@ function(schuler_embed symbol header folder)
       message(STATUS "missing yet: ${folder}/${word}.yaml")
     endif()
   endforeach()
+  schuler_embed_files(schuler_objects ${symbol} ${header} ${files})
+endfunction()
+
+function(schuler_embed_files target symbol header)
+  set(files ${ARGN})
   string(REPLACE ";" "|" joined "${files}")
   set(output ${PROJECT_BINARY_DIR}/generated/${symbol}.c)
   add_custom_command(OUTPUT ${output}
     COMMAND ${CMAKE_COMMAND} -DSYMBOL=${symbol} -DHEADER=${header} -DOUTPUT=${output}
       "-DFILES=${joined}" -P ${SCHULER_EMBED_SCRIPT}
     DEPENDS ${files} ${SCHULER_EMBED_SCRIPT} VERBATIM COMMENT "Embedding ${symbol}")
-  target_sources(schuler_objects PRIVATE ${output})
+  target_sources(${target} PRIVATE ${output})
 endfunction()

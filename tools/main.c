@@ -22,6 +22,7 @@ static const verb verbs[] = {
     { "solve", "how large a source may be for the requirement to be met", verb_solve },
     { "sweep", "drift against the size of one or two sources", verb_sweep },
     { "compare", "several IMUs on one mission: ranking, ratios, budgets", verb_compare },
+    { "report", "one HTML page of a result: verdict, charts, sources to tick off", verb_report },
     { "check", "validate scenario files; every mistake with its place", verb_check },
     { "sensors", "the catalog of real parts: list, show NAME", verb_sensors },
     { "models", "sensor models, trajectories, frames, gravity: list, show NAME", verb_models },

@@ -24,6 +24,7 @@ exit_code verb_verify(int argc, char **argv);
 exit_code verb_solve(int argc, char **argv);
 exit_code verb_sweep(int argc, char **argv);
 exit_code verb_compare(int argc, char **argv);
+exit_code verb_report(int argc, char **argv);
 exit_code verb_check(int argc, char **argv);
 exit_code verb_sensors(int argc, char **argv);
 exit_code verb_models(int argc, char **argv);

@@ -8,7 +8,7 @@ expect 0 "$SCHULER" --help
 empty err
 cp out help
 [ "$(wc -L <out)" -le 80 ] || complain "--help is wider than 80 columns"
-for verb in run verify solve sweep compare check sensors models truth navigate allan explain export characterize bench init; do
+for verb in run verify solve sweep compare report check sensors models truth navigate allan explain export characterize bench init; do
     has help "  $verb"
     expect 0 "$SCHULER" $verb --help
     empty err
