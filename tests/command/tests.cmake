@@ -3,7 +3,7 @@
 if(TARGET schuler_program)
   add_executable(json_value ${CMAKE_CURRENT_LIST_DIR}/json_value.c)
   target_link_libraries(json_value PRIVATE schuler_flags PkgConfig::JANSSON)
-  foreach(name help bad_input verdict compare sizes json same_bytes other_libm output interrupt data export faults catalog allan explain characterize terminal truth until)
+  foreach(name help bad_input verdict compare sizes json same_bytes other_libm output interrupt data export faults catalog allan explain characterize terminal truth until report report_browser)
     add_test(NAME command_${name} COMMAND sh ${CMAKE_CURRENT_LIST_DIR}/${name}.sh)
     # 77: cannot be done here; ctest says "Skipped".
     set_tests_properties(command_${name} PROPERTIES LABELS command TIMEOUT 600 SKIP_RETURN_CODE 77

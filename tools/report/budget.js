@@ -11,7 +11,7 @@ function sourceRow(s, index) {
   s.bar = make("span", { class: "bar" });
   s.figure = make("span", { class: "figure" });
   s.line = make("tr", { "data-source": s.id },
-    make("th", { scope: "row" }, make("label", { for: "tick-" + index }, box, s.mark, make("span", {}, s.id + (s.row.assumed ? " *" : "")))),
+    make("th", { scope: "row" }, make("label", { for: "tick-" + index }, box, s.mark, make("span", {}, ...breakable(s.id), s.row.assumed ? " *" : ""))),
     s.rms, make("td", { class: "share" }, s.bar, s.figure), cell(typeof s.row.value === "string" ? s.row.value : "", { class: "text" }), cell(digits(s.row.drift_cep_nmi_per_h, 3)),
     cell(linear ? length(linear.at_end) : NONE), cell(length(s.row.horizontal_rms_m.max)));
   return s.line;
@@ -40,6 +40,14 @@ function makeBudget() {
   byId("tick-all").addEventListener("click", () => tick(sources, true));
   byId("tick-none").addEventListener("click", () => tick(sources, false));
 }
+/* What unticking did, in words; the verdict above is of the mission as it was flown. */
+function showWhatIf() {
+  const off = sources.filter((s) => !s.on), k = state.at;
+  const whole = Math.sqrt(sources.reduce((sum, s) => sum + s.curve[k] * s.curve[k], 0));
+  byId("what-if").textContent = !off.length ? "All sources are ticked."
+    : `Without ${off.length > 3 ? off.length + " sources" : off.map((s) => s.id).join(", ")}: ${lengthText(total(k))} instead of ${lengthText(whole)} rms` +
+      (whole > 0 ? `, ${digits(100 * total(k) / whole, 3)} %. ` : ". ") + "The verdict and the band of the runs are those of all sources.";
+}
 function showBudget() {
   const k = state.at, time = clock(curves.times_s[k]) + (k === LAST ? ", the end" : "");
   byId("at").value = k;
@@ -58,6 +66,7 @@ function showBudget() {
   });
   byId("total").textContent = length(total(k));
   byId("total").dataset.m = total(k);
+  showWhatIf();
   byId("joint").textContent = length(curves.all[k]);
   byId("joint").dataset.m = k === LAST ? result.all.horizontal_rms_m.at_end : curves.all[k];
 }

@@ -44,6 +44,9 @@ function make(tag, attributes, ...children) {
   return element;
 }
 
+/* Long names may break after a dot or an underscore. */
+const breakable = (name) => name.split(/(?<=[._])/).flatMap((part, i) => i ? [make("wbr"), part] : [part]);
+
 /* A table of columns over about a dozen of the times. */
 function timeTable(caption, columns) {
   const rows = Math.min(LAST, 12), body = make("tbody");

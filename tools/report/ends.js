@@ -13,6 +13,9 @@ const equalScale = { id: "equal", afterLayout(chart) {
   Object.assign(ax, { min: -x, max: x });
   Object.assign(ay, { min: -y, max: y });
   chart.update("none");
+}, afterRender(chart) {
+  const { x, y } = chart.scales; /* pixels per metre east over those north */
+  chart.canvas.dataset.scales = (x.getPixelForValue(1) - x.getPixelForValue(0)) / (y.getPixelForValue(0) - y.getPixelForValue(1));
 } };
 function endsChart() {
   const most = Math.max(curves.r95, ...curves.north.map(Math.abs), ...curves.east.map(Math.abs)) / LENGTH.m;

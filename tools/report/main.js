@@ -14,5 +14,6 @@ makeBudget();
 readAddress();
 views.push(showBudget, showPosition, showSources, showEnds);
 showAll();
+timeCharts.forEach(makeZoom);
 addEventListener("hashchange", () => { readAddress(); showAll(); });
 document.documentElement.dataset.ready = "yes";
