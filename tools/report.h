@@ -20,6 +20,7 @@ typedef struct {
 } report_curve;
 
 typedef struct {
+    size_t row_count; /* of a lane in errors.csv */
     size_t time_count;
     double *times_s;
     size_t curve_count; /* the sources of the budget, then all, then none */

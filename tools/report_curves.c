@@ -137,6 +137,7 @@ static exit_code read_all(report_lanes *l, const json_t *result, report_curves *
     size_t keep[REPORT_TIMES];
     for (c->curve_count = 2; source_row(result, c->curve_count - 2); c->curve_count++) {
     }
+    c->row_count = l->row_count;
     c->time_count = l->row_count < REPORT_TIMES ? l->row_count : REPORT_TIMES;
     exit_code code = allocate(c);
     for (size_t k = 0; code == EXIT_DONE && k < c->time_count; k++) {

@@ -37,9 +37,9 @@ json_t *report_curves_json(const report_curves *c)
     json_t *const sources = json_array();
     for (size_t i = 0; i + 2 < c->curve_count; i++)
         json_array_append_new(sources, numbers(c->curves[i].rms_m, n, n));
-    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:i, s:o, s:o, s:o, s:o}", "times_s",
-                     numbers(c->times_s, n, n), "sources", sources, "all",
-                     numbers(c->curves[c->curve_count - 2].rms_m, n, n), "none",
+    return json_pack("{s:I, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:i, s:o, s:o, s:o, s:o}", "rows",
+                     (json_int_t)c->row_count, "times_s", numbers(c->times_s, n, n), "sources",
+                     sources, "all", numbers(c->curves[c->curve_count - 2].rms_m, n, n), "none",
                      numbers(c->curves[c->curve_count - 1].rms_m, n, n), "low",
                      numbers(c->low_m, n, n), "median", numbers(c->median_m, n, n), "high",
                      numbers(c->high_m, n, n), "joint_runs", c->joint_runs, "north",

@@ -28,13 +28,16 @@ function makeBudget() {
     make("tbody", {}, ...sources.map(sourceRow)),
     make("tfoot", {}, footRow("total of the ticked, root sum square", "total", NaN, ["", "", ""]),
       footRow("all sources at once, simulated", "joint", NaN, [digits(all.drift_cep_nmi_per_h, 3),
-        covariance ? length(covariance.horizontal_rms_m.at_end) : NONE, length(all.horizontal_rms_m.max)]),
+        covariance && !(covariance.not_covered || []).length ? length(covariance.horizontal_rms_m.at_end) : NONE, length(all.horizontal_rms_m.max)]),
       ...(sources.some((s) => s.id === "numerical") ? []
         : [footRow("no error at all, numerical residue", "residue", none.horizontal_rms_m.at_end, ["", "", length(none.horizontal_rms_m.max)])])));
   if (!sources.length) byId("budget-note").append("No error source is switched on.");
   if (sources.some((s) => s.row.assumed)) byId("budget-note").append("* assumed: not a published figure, or not as one. ");
   for (const item of covariance ? covariance.differs || [] : [])
     byId("budget-note").append(`${item.source}: simulation and covariance differ by ${percent(item.relative)}, so it is not linear. `);
+  for (const item of covariance ? covariance.not_covered || [] : [])
+    byId("budget-note").append(`${item.source} is not in the covariance: ${item.because}. `);
+  if (!sources.length) byId("sources").hidden = true;
   byId("at").max = LAST;
   byId("at").addEventListener("input", () => { state.at = Number(byId("at").value); showAll(); });
   byId("tick-all").addEventListener("click", () => tick(sources, true));

@@ -23,7 +23,7 @@ function axis(title, more) {
     ticks: { color: colour("soft"), maxRotation: 0 }, grid: { color: colour("line"), drawBorder: false } }, more);
 }
 function timeAxis() {
-  return axis("time, " + TIME.name, { type: "linear", min: stretch.from, max: stretch.to, ticks: { color: colour("soft"), maxRotation: 0, callback: (x) => digits(x, 5) } });
+  return axis("time, " + TIME.name, { type: "linear", min: stretch.from, max: stretch.to, ticks: { color: colour("soft"), maxRotation: 0, callback: (x) => plain(Number(x.toPrecision(4))) } });
 }
 function chartOptions(scales, more) {
   return Object.assign({ animation: false, responsive: true, maintainAspectRatio: false, parsing: false, normalized: true,

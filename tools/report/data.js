@@ -9,18 +9,21 @@ const NMI_M = 1852;
 const isNumber = (x) => typeof x === "number" && Number.isFinite(x);
 const NONE = "\u2013";
 
-/* Four digits, no more than the number has; very small and large ones with a power of ten. */
+/* Four digits; very small and large ones with a power of ten. */
 function digits(x, count = 4) {
   if (!isNumber(x)) return NONE;
   if (x === 0) return "0";
   const size = Math.abs(x);
   if (size < 1e-4 || size >= 1e7) {
     const [mantissa, power] = x.toExponential(Math.max(count - 2, 0)).split("e");
-    return Number(mantissa) + "\u00b710" + power.replace("+", "").replace(/./g, (c) => "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"["-0123456789".indexOf(c)]);
+    return mantissa + "\u00b710" + power.replace("+", "").replace(/./g, (c) => "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"["-0123456789".indexOf(c)]);
   }
   const decimals = Math.max(0, count - 1 - Math.floor(Math.log10(size)));
-  return String(Number(x.toFixed(Math.min(decimals, 20))));
+  return x.toFixed(decimals);
 }
+/* As it was written: no more digits than it has. */
+const plain = (x) => !isNumber(x) ? NONE : x === 0 || Math.abs(x) >= 1e-4 && Math.abs(x) < 1e7 ? String(Number(x.toPrecision(6))) : digits(x, 3).replace(".0\u00b7", "\u00b7");
+const many = (n, what) => n + " " + what + (n === 1 ? "" : "s");
 const percent = (x) => isNumber(x) ? (100 * x).toFixed(1) + " %" : NONE;
 
 /* One unit of length for the whole page, by the largest curve. */
@@ -45,7 +48,7 @@ function make(tag, attributes, ...children) {
 }
 
 /* Long names may break after a dot or an underscore. */
-const breakable = (name) => name.split(/(?<=[._])/).flatMap((part, i) => i ? [make("wbr"), part] : [part]);
+const breakable = (name) => name.split(/(?<=[._])(?=[a-z])/).flatMap((part, i) => i ? [make("wbr"), part] : [part]);
 
 /* A table of columns over about a dozen of the times. */
 function timeTable(caption, columns) {

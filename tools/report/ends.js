@@ -30,11 +30,11 @@ function endsChart() {
       label: (item) => `north ${digits(item.parsed.y)}, east ${digits(item.parsed.x)} ${LENGTH.name}` } } } }) };
 }
 /* The ends of the axes are no round numbers: not written. */
-function inner(value) { return Math.abs(value) > 0.999 * this.max ? "" : digits(value, 3); }
+function inner(value) { return Math.abs(value) > 0.999 * this.max ? "" : plain(value); }
 function showEnds() {
   const shown = curves.east.length, mean = (x) => x.reduce((sum, v) => sum + v, 0) / x.length;
   byId("ends-legend").replaceChildren(
-    legendItem(make("span", { class: "swatch dot", "aria-hidden": "true" }), shown < curves.joint_runs ? `${shown} of ${curves.joint_runs} runs` : `${shown} runs`),
+    legendItem(make("span", { class: "swatch dot", "aria-hidden": "true" }), shown < curves.joint_runs ? `${shown} of ${curves.joint_runs} runs` : many(shown, "run")),
     legendItem(swatch({ colour: colour("ink"), dash: [] }), "half of the runs: " + lengthText(curves.r50)),
     legendItem(swatch({ colour: colour("ink"), dash: [6, 4] }), "95 %: " + lengthText(curves.r95)));
   byId("ends-chart").setAttribute("aria-label", `End points of the runs, north against east of the true position. Half of them are within ${lengthText(curves.r50)}, 95 % within ${lengthText(curves.r95)}.`);

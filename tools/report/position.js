@@ -26,9 +26,9 @@ function legendItem(mark, text) { return make("span", {}, mark, text); }
 function showPosition() {
   const r = result.requirement, line = (name, dash) => swatch({ colour: colour(name), dash: dash || [] }), chart = live.get("position-chart");
   byId("position-legend").replaceChildren(
-    legendItem(make("span", { class: "swatch area", "aria-hidden": "true" }), `5 to 95 % of ${curves.joint_runs} runs`),
+    legendItem(make("span", { class: "swatch area", "aria-hidden": "true" }), `5 to 95 % of ${many(curves.joint_runs, "run")}`),
     legendItem(line("accent"), "median"), legendItem(line("ink", [6, 4]), "ticked sources, root sum square of rms"),
-    ...(r ? [legendItem(line("limit"), `limit ${rate(r.limit_nmi_per_h)}, to be held by ${r.statistic}`)] : []));
+    ...(r ? [legendItem(line("limit"), `limit ${plain(r.limit_nmi_per_h)} nmi/h, to be held by ${r.statistic}`)] : []));
   byId("position-table").replaceChildren(timeTable("Horizontal position error", [
     { name: "5 %", values: curves.low }, { name: "median", values: curves.median }, { name: "95 %", values: curves.high }, { name: "rms of the runs", values: curves.all },
     { name: "ticked sources, rms", values: totalCurve() }, ...(r ? [{ name: "limit", values: limitCurve() }] : [])]));
@@ -46,7 +46,7 @@ function sourcesChart() {
   const most = Math.max(...curves.all, ...totalCurve()) / LENGTH.m;
   return { type: "line", data: { datasets: lines }, options: chartOptions({ x: timeAxis(), y: axis("horizontal rms, " + LENGTH.name, { type: "logarithmic",
     min: most > 0 ? 10 ** Math.floor(Math.log10(most) - 4.5) : undefined,
-    ticks: { color: colour("soft"), callback: (y) => Math.abs(Math.log10(y) % 1) < 1e-9 || Math.abs(Math.log10(y) % 1) > 1 - 1e-9 ? digits(y) : "" } }) }) };
+    ticks: { color: colour("soft"), callback: (y) => Math.abs(Math.log10(y) % 1) < 1e-9 || Math.abs(Math.log10(y) % 1) > 1 - 1e-9 ? plain(y) : "" } }) }) };
 }
 function showSources() {
   const chart = live.get("sources-chart"), ticked = sources.filter((s) => s.on);
