@@ -50,7 +50,7 @@ close "$(grep -o 'data-scales="[^"]*' dom | sed 's/.*"//')" 1 0.01
 
 # The ticks are in the address; without a source the sum of squares is without its square.
 dom 'result.html#without=accel.bias'
-close "$(value total)" "$(awk -v t="$(at_end rss)" -v a="$accel" 'BEGIN { print sqrt(t * t - a * a) }')" 1e-3
+close "$(value total)" "$(awk -v t="$(at_end rss)" -v a="$accel" 'BEGIN { printf "%.17g", sqrt(t * t - a * a) }')" 1e-6
 lacks dom '>All sources are ticked'
 has dom '>Without accel.bias:'
 grep -o '<tr data-source="accel.bias".*' dom | sed 's,</tr>.*,,' >row
