@@ -48,6 +48,14 @@ done
 [ "$(json many.json north)" -eq 1500 ] || complain "end points: $(json many.json north)"
 [ "$(json many.json joint_runs)" -eq 3000 ] || complain "joint runs"
 
+# A line separator ends a statement of a script; in the data it is written as an escape.
+cp -R many separator
+sed 's/"name": "Many"/"name": "a\\u2028b\\u2029"/' many/result.json >separator/result.json
+expect 0 "$SCHULER" report separator
+sed -n 's/.*id="result">\(.*\)<\/script>$/\1/p' separator.html >separator.json
+has separator.json '"a\u2028b\u2029"'
+[ "$(LC_ALL=C tr -d '\000-\177' <separator.json | wc -c)" -eq 0 ] || complain "not ASCII: $(cat separator.json)"
+
 # Without any source there are two lanes, and nothing is drawn.
 expect 0 "$SCHULER" run mission.yaml --set scenario=Bare --only numerical -o bare
 expect 0 "$SCHULER" report bare
