@@ -69,6 +69,22 @@ sed 's,box.click();,&box.click();,' clicked.html >twice.html
 dom twice.html
 close "$(value total)" "$(at_end rss)" 1e-6
 
+# Dragging over the middle half of one chart of time shows 30 s to 90 s in the other, too.
+cat >drag.js <<'JS'
+<script>
+const canvas = document.getElementById("position-chart"), area = Chart.getChart(canvas).chartArea;
+const event = (type, part) => new PointerEvent(type, { bubbles: true, pointerType: "mouse", button: 0,
+  clientX: canvas.getBoundingClientRect().left + area.left + part * (area.right - area.left) });
+canvas.dispatchEvent(event("pointerdown", 0.25));
+canvas.dispatchEvent(event("pointerup", 0.75));
+const { min, max } = Chart.getChart("sources-chart").scales.x;
+document.body.append(Object.assign(document.createElement("p"), { textContent: `from ${Math.round(min)} to ${Math.round(max)} s` }));
+</script>
+JS
+{ sed '/^<\/body>/,$d' result.html && cat drag.js && echo '</body></html>'; } >dragged.html
+dom dragged.html
+has dom '>from 30 to 90 s<'
+
 # One draw of nothing: flat zero curves, and a logarithmic axis without anything on it.
 expect 0 "$SCHULER" run mission.yaml --only numerical -o bare
 expect 0 "$SCHULER" report bare

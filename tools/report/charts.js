@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Charts in the colours of the page, redrawn when those change. */
-const dark = matchMedia("(prefers-color-scheme: dark)");
+const dark = matchMedia("screen and (prefers-color-scheme: dark)"); /* paper is white */
 const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
 /* Ten hues that stay apart on white and on black, then again with dashes. */
 const HUES = [[211, 80], [25, 90], [140, 60], [350, 75], [270, 55], [185, 75], [50, 90], [315, 60], [95, 60], [0, 0]];
