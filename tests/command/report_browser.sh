@@ -4,7 +4,7 @@
 for browser in chromium chromium-browser google-chrome none; do
     command -v $browser >/dev/null && break
 done
-[ $browser != none ] || { echo "no chromium"; exit 77; }
+[ "$browser" != none ] || { echo "no chromium"; exit 77; }
 
 # dom FILE[#...] [WIDTH]: what the page has become in ./dom, what its script complained of in ./err
 dom() {
