@@ -129,7 +129,8 @@ static schuler_status chain(const schuler_scenario *s, const schuler_truth *trut
     lane_chunk chunks[SCHULER_BENCH_LANES / CHUNK_LANES];
     lane_batch batch = { 0, sizeof(chunks) / sizeof(chunks[0]), SCHULER_BENCH_LANES };
     simulation_plan plan = { .scenario = s, .truth = truth, .isa = isa };
-    plan.count = plan.rows = schuler_sources_list(s, plan.sources);
+    plan.count = schuler_sources_list(s, plan.sources);
+    schuler_plan_rows(&plan, SCHULER_ROWS_SOURCES);
     for (size_t c = 0; c < batch.chunks; c++)
         chunks[c] = (lane_chunk){ plan_row_all(&plan), (int)c * CHUNK_LANES, CHUNK_LANES };
     plan.chunks = chunks;

@@ -42,7 +42,8 @@ static const char numerical_id[] = "numerical";
 
 static bool numerical_wanted(const simulation_plan *plan)
 {
-    return !plan->joint_only && schuler_source_selected(plan->scenario, numerical_id, numerical_id);
+    return plan->rows_are == SCHULER_ROWS_SOURCES &&
+           schuler_source_selected(plan->scenario, numerical_id, numerical_id);
 }
 
 schuler_result *schuler_budget_create(const simulation_plan *plan)
@@ -52,6 +53,7 @@ schuler_result *schuler_budget_create(const simulation_plan *plan)
     r->scenario = plan->scenario;
     r->runs = plan->scenario->runs;
     r->steps = plan->steps;
+    r->rows_are = plan->rows_are;
     r->duration_s = (double)plan->steps / plan->scenario->imu.rate_hz;
     r->time_count = plan->reports;
     r->row_count = (size_t)plan->rows + (numerical_wanted(plan) ? 1 : 0);
@@ -62,12 +64,12 @@ schuler_result *schuler_budget_create(const simulation_plan *plan)
         schuler_budget_row *b = schuler_budget_row_at(r, plan, row);
         b->drawn = schuler_plan_row_drawn(plan, row);
         b->value_text = "";
-        snprintf(b->id, sizeof(b->id), "%s", schuler_plan_row_id(plan, row));
+        schuler_plan_row_id(plan, row, b->id);
         good = row_allocate(b, b->drawn ? r->runs : 1, r->time_count);
         if (row >= plan->rows) continue;
-        const error_source *s = &plan->sources[row];
+        const error_source *s = schuler_plan_row_source(plan, row);
         snprintf(b->group, sizeof(b->group), "%s", s->group);
-        if (s->value) {
+        if (s->value && plan->rows_are != SCHULER_ROWS_GROUPS) {
             b->value_text = s->value->text ? s->value->text : "";
             b->assumed = s->value->assumed;
         }
@@ -114,6 +116,19 @@ static void copy_row(schuler_budget_row *to, const schuler_budget_row *from, siz
     memcpy(to->rms_curve_m, from->rms_curve_m, reports * sizeof(double));
 }
 
+/* Of the summed variance; of rows that leave one source out, what that adds to the others, and no sum. */
+static void take_shares(schuler_result *r, double end2, double max2)
+{
+    const bool adds = r->rows_are == SCHULER_ROWS_WITHOUT;
+    const double all2 = adds ? r->all.rms_end_m * r->all.rms_end_m : end2;
+    r->rss_end_m = adds ? 0.0 : sqrt(end2);
+    r->rss_max_m = adds ? 0.0 : sqrt(max2);
+    for (size_t i = 0; i < r->row_count; i++) {
+        const double row2 = r->rows[i].rms_end_m * r->rows[i].rms_end_m;
+        r->rows[i].share = !(all2 > 0.0) ? 0.0 : adds ? 1.0 - row2 / all2 : row2 / all2;
+    }
+}
+
 static schuler_status summarise(schuler_budget_row *row, const schuler_requirement *required)
 {
     const schuler_status status = schuler_row_summarise(row);
@@ -146,10 +161,7 @@ schuler_status schuler_budget_finish(schuler_result *r, const simulation_plan *p
         max2 += b->rms_max_m * b->rms_max_m;
     }
     if (status != SCHULER_OK) return status;
-    r->rss_end_m = sqrt(end2);
-    r->rss_max_m = sqrt(max2);
-    for (size_t i = 0; i < r->row_count; i++)
-        r->rows[i].share = end2 > 0.0 ? r->rows[i].rms_end_m * r->rows[i].rms_end_m / end2 : 0.0;
+    take_shares(r, end2, max2);
     if (!plan->scenario->requirement.given) return SCHULER_OK;
     return schuler_judge(&plan->scenario->requirement, &r->all, &r->judgement);
 }

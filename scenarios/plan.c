@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "scenarios/plan.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 schuler_status schuler_plan_times(simulation_plan *p, schuler_error *err)
 {
@@ -25,16 +27,62 @@ int schuler_hold_interval(const simulation_plan *p)
     return samples < update ? update : samples > SCHULER_BLOCK ? SCHULER_BLOCK : samples;
 }
 
-bool schuler_plan_row_drawn(const simulation_plan *p, int row)
+/* Whether a source is the first of its group. */
+static bool opens_group(const simulation_plan *p, int source)
 {
-    if (row < p->rows) return p->sources[row].drawn;
-    return row == plan_row_all(p) && p->drawn;
+    for (int i = 0; i < source; i++)
+        if (strcmp(p->sources[i].group, p->sources[source].group) == 0) return false;
+    return true;
 }
 
-const char *schuler_plan_row_id(const simulation_plan *p, int row)
+void schuler_plan_rows(simulation_plan *p, schuler_rows rows)
 {
-    if (row < p->rows) return p->sources[row].id;
-    return row == plan_row_all(p) ? "all" : "none";
+    p->rows_are = rows;
+    p->rows = rows == SCHULER_ROWS_NONE ? 0 : p->count;
+    if (rows != SCHULER_ROWS_GROUPS) return;
+    p->rows = 0;
+    for (int i = 0; i < p->count; i++) p->rows += opens_group(p, i);
+}
+
+const error_source *schuler_plan_row_source(const simulation_plan *p, int row)
+{
+    if (p->rows_are != SCHULER_ROWS_GROUPS) return &p->sources[row];
+    int i = 0;
+    for (int group = -1;; i++) {
+        group += opens_group(p, i);
+        if (group == row) return &p->sources[i];
+    }
+}
+
+bool plan_enabled(const simulation_plan *p, int row, int source)
+{
+    if (row >= p->rows) return row == plan_row_all(p);
+    switch (p->rows_are) {
+    case SCHULER_ROWS_GROUPS:
+        return strcmp(schuler_plan_row_source(p, row)->group, p->sources[source].group) == 0;
+    case SCHULER_ROWS_WITHOUT:
+        return row != source;
+    default:
+        return row == source;
+    }
+}
+
+bool schuler_plan_row_drawn(const simulation_plan *p, int row)
+{
+    for (int i = 0; i < p->count; i++)
+        if (p->sources[i].drawn && plan_enabled(p, row, i)) return true;
+    return false;
+}
+
+void schuler_plan_row_id(const simulation_plan *p, int row, char id[64])
+{
+    if (row >= p->rows)
+        snprintf(id, 64, "%s", row == plan_row_all(p) ? "all" : "none");
+    else if (p->rows_are == SCHULER_ROWS_GROUPS)
+        snprintf(id, 64, "%s", schuler_plan_row_source(p, row)->group);
+    else
+        snprintf(id, 64, "%s%.52s", p->rows_are == SCHULER_ROWS_WITHOUT ? "without " : "",
+                 p->sources[row].id);
 }
 
 static int row_runs(const simulation_plan *p, int row)

@@ -27,10 +27,10 @@ typedef struct {
     const schuler_truth *truth;
     schuler_isa isa;
     error_source sources[SOURCES_MAX];
-    bool joint_only; /* no rows of single sources, and none of what is numerical */
-    int count;       /* sources                                                  */
-    int rows;        /* of single sources: count, or 0                           */
-    bool drawn;      /* any of them */
+    schuler_rows rows_are;
+    int count;  /* sources                                                  */
+    int rows;   /* of them, or of groups; 0: only the joint run             */
+    bool drawn; /* any of them */
     int64_t steps, report_steps;
     schuler_path align_path;          /* at the mooring                             */
     const schuler_truth *align_truth; /* NULL: no self-alignment                       */
@@ -68,12 +68,15 @@ static inline int plan_row_none(const simulation_plan *p)
 }
 
 /** Whether a row has source i switched on. */
-static inline bool plan_enabled(const simulation_plan *p, int row, int source)
-{
-    return row == plan_row_all(p) || (row == source && row < p->rows);
-}
+bool plan_enabled(const simulation_plan *p, int row, int source);
+
+/** Choose the rows; sources and scenario are set. */
+void schuler_plan_rows(simulation_plan *p, schuler_rows rows);
+
+/** The source that stands for a row: its own, or the first of its group. */
+const error_source *schuler_plan_row_source(const simulation_plan *p, int row);
 
 bool schuler_plan_row_drawn(const simulation_plan *p, int row);
-const char *schuler_plan_row_id(const simulation_plan *p, int row);
+void schuler_plan_row_id(const simulation_plan *p, int row, char id[64]);
 
 #endif

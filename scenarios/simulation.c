@@ -114,10 +114,11 @@ static schuler_status hand_out(gathering *g, size_t batch, const batch_result *f
     size_t lane = 0;
     for (size_t c = 0; c < work->chunks; c++) {
         const lane_chunk *chunk = &p->chunks[work->first_chunk + c];
+        char id[64];
+        schuler_plan_row_id(p, chunk->row, id);
         for (int k = 0; k < chunk->runs && status == SCHULER_OK; k++, lane++)
-            status = g->options->errors(g->options->user, schuler_plan_row_id(p, chunk->row),
-                                        chunk->first_run + k, from->rows + lane * (p->reports + 1),
-                                        p->reports + 1);
+            status = g->options->errors(g->options->user, id, chunk->first_run + k,
+                                        from->rows + lane * (p->reports + 1), p->reports + 1);
     }
     pthread_mutex_lock(&g->lock);
     if (status != SCHULER_OK) atomic_store(&g->stopped, 1); /* before the next one's turn */
@@ -191,8 +192,7 @@ schuler_status schuler_simulate(const schuler_scenario *scenario,
     pthread_mutex_init(&g.lock, NULL);
     pthread_cond_init(&g.turn_changed, NULL);
     plan.count = schuler_sources_list(scenario, plan.sources);
-    plan.joint_only = options->joint_only != 0;
-    plan.rows = plan.joint_only ? 0 : plan.count;
+    schuler_plan_rows(&plan, options->rows);
     for (int i = 0; i < plan.count; i++) plan.drawn |= plan.sources[i].drawn;
     status = schuler_plan_times(&plan, err);
     if (status == SCHULER_OK) status = schuler_align_plan(&plan, &align_truth, err);

@@ -18,6 +18,15 @@ typedef struct {
     double roll_rad, pitch_rad, heading_rad; /* difference of Euler angles, each in its own NED */
 } schuler_error_row;
 
+/* What the rows of a budget are. */
+typedef enum {
+    SCHULER_ROWS_SOURCES, /* each source alone, and what is numerical     */
+    SCHULER_ROWS_GROUPS,  /* all of a group: accel, gyro, initial, ...    */
+    SCHULER_ROWS_WITHOUT, /* all but one source; its share is what it adds */
+    SCHULER_ROWS_NONE,    /* only the joint run and none                   */
+    SCHULER_ROWS_KINDS
+} schuler_rows;
+
 /* One error source, or one of the sums. */
 typedef struct {
     char id[64];            /* "gyro.bias", "all", "none"                                  */
@@ -62,6 +71,7 @@ typedef struct {
     int runs;
     double duration_s;
     int64_t steps;
+    schuler_rows rows_are;
     size_t row_count;
     schuler_budget_row *rows; /* one per source, in the order of the tables  */
     schuler_budget_row all, none;
@@ -81,7 +91,7 @@ schuler_scenario_truth(const schuler_scenario *scenario, schuler_truth **out, sc
 typedef struct {
     const schuler_truth *truth; /* of this scenario; NULL: made for the simulation */
     int threads;                /* 0 = all processors                          */
-    int joint_only; /* 1: all sources at once and none, no row for each: row_count is 0 */
+    schuler_rows rows;
     int has_isa;
     schuler_isa isa; /* else the best                               */
     /* Called about ten times a second from one thread at a time: fraction done in [0, 1]. */

@@ -19,7 +19,7 @@ typedef struct {
 static schuler_status drift_at(search *s, double k, double *drift_mps, schuler_error *err)
 {
     schuler_run_options options = *s->options;
-    options.joint_only = 1;
+    options.rows = SCHULER_ROWS_NONE;
     options.errors = NULL;
     *s->scenario = *s->original;
     schuler_status status = SCHULER_OK;

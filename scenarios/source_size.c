@@ -105,7 +105,8 @@ double schuler_source_margin(const schuler_result *result, const schuler_budget_
 {
     const schuler_requirement *const required = &result->scenario->requirement;
     const double drift_mps = result->judgement.value_mps;
-    if (!required->given || !(drift_mps > 0.0)) return (double)NAN;
+    if (!required->given || !(drift_mps > 0.0) || result->rows_are != SCHULER_ROWS_SOURCES)
+        return (double)NAN;
     double sum = 0.0;
     for (size_t i = 0; i < result->row_count; i++)
         sum += result->rows[i].rms_slope_mps * result->rows[i].rms_slope_mps;

@@ -47,6 +47,8 @@ static schuler_status compare_group(const lane_batch_state *b, int g, const bloc
         const int i = g * b->width + place;
         if (i >= b->count) break;
         const batch_lane *l = &b->lanes[i];
+        char id[64];
+        schuler_plan_row_id(b->plan, l->row, id);
         schuler_nav_state nav;
         b->frame->get(b->groups[g].nav, place, &nav);
         schuler_error_row row = schuler_compare(&nav, &at->truth);
@@ -56,15 +58,14 @@ static schuler_status compare_group(const lane_batch_state *b, int g, const bloc
         if (!isfinite(sum))
             return schuler_fail(err, SCHULER_ERR_NUMERIC, NULL,
                                 "the navigator of '%s', run %d, was no longer finite at %.10g s",
-                                schuler_plan_row_id(b->plan, l->row), l->run, at->truth.t_s);
+                                id, l->run, at->truth.t_s);
         if (schuler_mechanization_ends(b->frame, nav.r_e))
             return schuler_fail(
                 err, SCHULER_ERR_NUMERIC, NULL,
                 "the navigator of '%s', run %d, came to a latitude of %.3f deg at %.10g s; frame "
                 "'%s' ends at %g deg: use wander or ecef",
-                schuler_plan_row_id(b->plan, l->row), l->run,
-                schuler_llh_from_ecef(nav.r_e).lat_rad / SCHULER_RAD_PER_DEG, at->truth.t_s,
-                b->frame->name, b->frame->latitude_max_rad / SCHULER_RAD_PER_DEG);
+                id, l->run, schuler_llh_from_ecef(nav.r_e).lat_rad / SCHULER_RAD_PER_DEG,
+                at->truth.t_s, b->frame->name, b->frame->latitude_max_rad / SCHULER_RAD_PER_DEG);
         /* Held to the truth the height needs no look; free, it runs away. */
         const double h_m = b->plan->scenario->vertical != SCHULER_VERTICAL_TRUTH
                                ? schuler_llh_from_ecef(nav.r_e).h_m
@@ -74,7 +75,7 @@ static schuler_status compare_group(const lane_batch_state *b, int g, const bloc
                 err, SCHULER_ERR_NUMERIC, NULL,
                 "the navigator of '%s', run %d, was at a height of %.4g km at %.10g s, where "
                 "gravity is not known",
-                schuler_plan_row_id(b->plan, l->row), l->run, 1e-3 * h_m, at->truth.t_s);
+                id, l->run, 1e-3 * h_m, at->truth.t_s);
         if (at->index == 0)
             schuler_metrics_start(&out->metrics[l->result], &row);
         else

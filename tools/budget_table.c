@@ -69,7 +69,7 @@ static void put_drift(const layout *l, double mps)
 static void put_bar(FILE *out, double share)
 {
     static const char *const eighths[] = { "", "▏", "▎", "▍", "▌", "▋", "▊", "▉" };
-    const int length = (int)(share * BAR * 8 + 0.5);
+    const int length = (int)(fmin(fmax(share, 0.0), 1.0) * BAR * 8 + 0.5);
     for (int i = 0; i < length / 8; i++) fputs("█", out);
     fputs(eighths[length % 8], out);
 }
@@ -83,7 +83,8 @@ static void put_source(const layout *l, const schuler_budget_row *row)
     fputc(row->assumed ? '*' : ' ', l->out);
     put_position(l, row->rms_end_m);
     put_drift(l, row->cep_mps);
-    fprintf(l->out, "%*.1f%%  ", SHARE - 1, 100.0 * row->share);
+    const double percent = fabs(row->share) < 5e-4 ? 0.0 : 100.0 * row->share;
+    fprintf(l->out, "%*.1f%%  ", SHARE - 1, percent);
     put_bar(l->out, row->share);
     fputc('\n', l->out);
 }
@@ -102,7 +103,7 @@ static int by_size(const void *a, const void *b)
 {
     const schuler_budget_row *x = *(const schuler_budget_row *const *)a;
     const schuler_budget_row *y = *(const schuler_budget_row *const *)b;
-    if (x->rms_end_m != y->rms_end_m) return x->rms_end_m < y->rms_end_m ? 1 : -1;
+    if (x->share != y->share) return x->share < y->share ? 1 : -1;
     return x < y ? -1 : 1; /* both are in one array: the order of the tables */
 }
 
@@ -136,7 +137,7 @@ static void put_sums(const layout *l, const schuler_result *result,
 {
     const double joint_m = result->all.rms_end_m, rss_m = result->rss_end_m;
     put_sum(l, "joint run, all sources at once", joint_m, result->all.cep_mps);
-    if (result->row_count > 0) put_sum(l, "root sum square of the sources", rss_m, -1.0);
+    if (rss_m > 0.0) put_sum(l, "root sum square of the sources", rss_m, -1.0);
     if (linear && linear->total.end_m > 0.0)
         put_sum(l, "linear covariance of the sources", linear->total.end_m, -1.0);
     if (rss_m > 0.0)
@@ -184,12 +185,15 @@ bool budget_table(FILE *out, const schuler_result *result, const schuler_covaria
         assumed |= rows[i]->assumed;
     }
     qsort(rows, count, sizeof(schuler_budget_row *), by_size);
-    const size_t shown = unfolded(rows, count, all);
+    const size_t shown = unfolded(rows, count, all || result->rows_are == SCHULER_ROWS_WITHOUT);
     const layout l = choose_layout(out, result, rows, shown);
 
     fputs("\nError budget at ", out);
     page_duration(out, result->duration_s);
-    fputs(": horizontal rms, drift CEP, share of variance\n\n  ", out);
+    fputs(result->rows_are == SCHULER_ROWS_WITHOUT
+              ? ": horizontal rms and drift CEP without each source, the share that it adds\n\n  "
+              : ": horizontal rms, drift CEP, share of variance\n\n  ",
+          out);
     page_cell(out, "source", l.source);
     fputs("  ", out);
     page_cell(out, "value", l.value);

@@ -64,6 +64,7 @@ static void put_margin(FILE *out, const schuler_result *result, const schuler_bu
 /* Sources until three quarters of the variance are explained, at most three. */
 static void put_blame(FILE *out, const schuler_result *result)
 {
+    if (result->rows_are == SCHULER_ROWS_WITHOUT) return;
     const schuler_requirement *required = &result->scenario->requirement;
     const schuler_budget_row *row = budget_largest(result, NULL);
     double explained = 0.0;
@@ -126,10 +127,11 @@ void budget_verdict(FILE *out, const schuler_result *result)
     if (j->verdict == SCHULER_VERDICT_PASS) {
         const schuler_budget_row *row = budget_largest(result, NULL);
         fprintf(out, ", margin %.3g %%\n", 100.0 * (1.0 - value / limit));
-        if (row && row->share > 0.0)
+        if (row && row->share > 0.0 && result->rows_are != SCHULER_ROWS_WITHOUT)
             fprintf(out, "  largest source: %s with %.1f %% of the variance\n", row->id,
                     100.0 * row->share);
-        if (row && row->share > 0.0) put_margin(out, result, row, "the limit is reached at about");
+        if (row && result->rows_are == SCHULER_ROWS_SOURCES)
+            put_margin(out, result, row, "the limit is reached at about");
     } else if (j->verdict == SCHULER_VERDICT_FAIL) {
         fputc('\n', out);
         put_blame(out, result);

@@ -63,6 +63,12 @@ exit_code report_result_read(const char *path, json_t **out)
         code = say_bad_input("%s: the format is %.60s, not %s", path, is ? is : "not said", format);
     else if (!is_result(*out, &error))
         code = say_bad_input("%s: not a result: %s", path, error.text);
+    const char *const rows = json_string_value(json_object_get(*out, "rows"));
+    if (code == EXIT_DONE && rows && strcmp(rows, "without") == 0)
+        code = say_bad_input(
+            "%s: a budget of all but one source does not add up; 'schuler run' without "
+            "--rows makes one that does",
+            path);
     if (code == EXIT_DONE) return code;
     json_decref(*out);
     *out = NULL;

@@ -106,6 +106,11 @@ json_t *result_json(const schuler_result *result, const schuler_covariance *line
                   "drift_r95_nmi_per_h", json_of_number(nmi_per_h(result->all.r95_mps)), "none",
                   "horizontal_rms_m", horizontal(&result->none), "rss", "horizontal_rms_m",
                   "at_end", json_of_number(result->rss_end_m), "saturation", saturation(result));
+    static const char *const rows[SCHULER_ROWS_KINDS] = { "sources", "groups", "without", "none" };
+    if (root && json_object_set_new(root, "rows", json_of_text(rows[result->rows_are])) != 0) {
+        json_decref(root);
+        return NULL;
+    }
     if (root && linear &&
         json_object_set_new(root, "covariance", comparison(result, linear)) != 0) {
         json_decref(root);

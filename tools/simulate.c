@@ -29,7 +29,7 @@ schuler_run_options simulation_options(const simulation_arguments *a)
 {
     return (schuler_run_options){ .truth = a->truth,
                                   .threads = a->threads,
-                                  .joint_only = a->joint_only,
+                                  .rows = a->rows,
                                   .has_isa = a->has_isa,
                                   .isa = a->isa,
                                   .stop = stop_flag() };

@@ -5,7 +5,7 @@
 
 #include "core/isa.h"
 #include "core/truth.h"
-#include "scenarios/scenario.h"
+#include "scenarios/simulation.h"
 #include <argp.h>
 #include <stdbool.h>
 
@@ -16,7 +16,7 @@ typedef struct {
     const char *json, *directory;
     int threads; /* 0 = all processors */
     bool has_isa, quiet, all;
-    bool joint_only;            /* no row for each source */
+    schuler_rows rows;          /* of the budget */
     const schuler_truth *truth; /* made by the verb, for several simulations; or NULL */
     double until;               /* wanted precision of the drift, relative; 0: the runs are given */
     char note[60];              /* shown in the progress line */

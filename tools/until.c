@@ -28,7 +28,7 @@ static exit_code joint_runs(const schuler_scenario *s, const simulation_argument
     progress bar = progress_start(a->quiet);
     bar.note = a->note;
     schuler_run_options wanted = simulation_options(a);
-    wanted.joint_only = 1;
+    wanted.rows = SCHULER_ROWS_NONE;
     wanted.progress = on_progress;
     wanted.user = &bar;
     schuler_status status = schuler_simulate(s, &wanted, &result, &error);

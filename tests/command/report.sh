@@ -93,5 +93,10 @@ anew && echo 'more,0,0,0,0,0,0,0,0,0,0,0' >>bad/errors.csv && refused "a row tha
 expect 2 "$SCHULER" report
 expect 2 "$SCHULER" report result long
 expect 3 "$SCHULER" report result -o no/such/place.html
+small_scenario >small.yaml
+expect 0 "$SCHULER" run small.yaml --rows without -o but_one
+expect 2 "$SCHULER" report but_one
+has err "does not add up"
+absent but_one.html
 no_partial
 finish

@@ -30,6 +30,23 @@ expect 0 "$SCHULER" verify none.yaml --preset mil_0p8
 has out "limit 0.8 nmi/h"
 expect 2 "$SCHULER" verify none.yaml --preset mil_1nmy
 has err "mil_1nmi"
+# Rows of groups, and all but one: what a group of one source is, is that source; without a source is a run
+# with --without it.
+"$SCHULER" run met.yaml --rows groups --json g.json >/dev/null 2>&1
+"$SCHULER" run met.yaml --only gyro --json gyro.json >/dev/null 2>&1
+[ "$(json g.json budget 1 source)" = gyro ] || complain "groups: $(json g.json budget 1 source)"
+[ "$(json g.json budget 1 horizontal_rms_m at_end)" = "$(json gyro.json all horizontal_rms_m at_end)" ] ||
+    complain "the row of a group is not that group alone"
+expect 0 "$SCHULER" run met.yaml --rows without --json w.json
+has out "without each source"
+lacks out "root sum square"
+"$SCHULER" run met.yaml --without accel.bias --json less.json >/dev/null 2>&1
+[ "$(json w.json budget 0 source)" = "without accel.bias" ] || complain "without: $(json w.json budget 0 source)"
+[ "$(json w.json budget 0 horizontal_rms_m at_end)" = "$(json less.json all horizontal_rms_m at_end)" ] ||
+    complain "all but one is not --without that one"
+expect 2 "$SCHULER" run met.yaml --rows group
+has err "groups"
+
 expect 2 "$SCHULER" verify met.yaml --confidence '101 %'
 expect 2 "$SCHULER" verify met.yaml absent.yaml
 empty out

@@ -15,11 +15,16 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { KEY_UNTIL = 256 };
+enum { KEY_UNTIL = 256, KEY_ROWS };
+
+/* As schuler_rows. */
+static const char *const row_words[] = { "sources", "groups", "without", NULL };
 
 static const struct argp_option options[] = {
     { "all", 'a', NULL, 0, "show every source, however small", 0 },
     { "until", KEY_UNTIL, "PERCENT", 0, "more runs until the drift's 95% limits are within it", 0 },
+    { "rows", KEY_ROWS, "WHAT", 0,
+      "budget of sources (each alone), of groups, or of all without each source", 0 },
     { 0 },
 };
 
@@ -32,6 +37,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         return 0;
     case 'a':
         a->all = true;
+        return 0;
+    case KEY_ROWS:
+        a->rows = (schuler_rows)arguments_choice(state, "--rows", arg, row_words);
         return 0;
     case KEY_UNTIL:
         if (schuler_quantity_parse(arg, (schuler_dim)SCHULER_DIM_NONE, &a->until, NULL) !=
@@ -121,8 +129,9 @@ static exit_code run(schuler_scenario *scenario, simulation_arguments *a)
     schuler_covariance *linear = NULL;
     schuler_truth *truth = NULL;
     if (code == EXIT_DONE) code = simulation_truth(scenario, a, &truth);
-    if (code == EXIT_DONE) code = simulate_linear(scenario, a, &linear);
-    if (code == EXIT_DONE && !a->quiet) announce(linear);
+    const bool is_shown = (!a->quiet || a->json || a->directory) && a->rows == SCHULER_ROWS_SOURCES;
+    if (code == EXIT_DONE && is_shown) code = simulate_linear(scenario, a, &linear);
+    if (code == EXIT_DONE && linear && !a->quiet) announce(linear);
     if (code == EXIT_DONE && a->until > 0.0) code = until_runs(scenario, a);
     if (code == EXIT_DONE) code = simulate(scenario, a, &errors, &result);
     if (code == EXIT_DONE) code = deliver(result, linear, a, &dir, &errors);

@@ -285,7 +285,7 @@ static exit_code work(sweep *w, schuler_scenario *s, const sweep_arguments *a)
 
 exit_code verb_sweep(int argc, char **argv)
 {
-    sweep_arguments a = { .simulation = { .joint_only = true } };
+    sweep_arguments a = { .simulation = { .rows = SCHULER_ROWS_NONE } };
     arguments_parse(&argp, argc, argv, &a);
     schuler_scenario *s;
     exit_code code =

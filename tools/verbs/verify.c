@@ -205,7 +205,7 @@ static exit_code status_of(const verification *all)
 
 exit_code verb_verify(int argc, char **argv)
 {
-    verify_arguments a = { .simulation = { .joint_only = true } };
+    verify_arguments a = { .simulation = { .rows = SCHULER_ROWS_NONE } };
     arguments_parse(&argp, argc, argv, &a);
     verification all = { .count = a.count, .items = calloc(a.count, sizeof *all.items) };
     schuler_scenario **const scenarios = calloc(a.count, sizeof(schuler_scenario *));
