@@ -13,7 +13,7 @@ enum { SIMULATION_SET_MAX = 256, SIMULATION_RUNS_MAX = 100000 };
 
 typedef struct {
     const char *file;
-    const char *json, *directory;
+    const char *json, *directory, *plot;
     int threads; /* 0 = all processors */
     bool has_isa, quiet, all;
     schuler_rows rows;          /* of the budget */

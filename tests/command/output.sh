@@ -79,6 +79,19 @@ expect 2 "$SCHULER" run mission.yaml -o file
 [ "$(cat file)" = precious ] || complain "file overwritten"
 expect 3 "$SCHULER" run mission.yaml -o no/such/place
 expect 3 "$SCHULER" run mission.yaml --json no/such/place.json
+# A picture, where gnuplot is.
+small_scenario >plotted.yaml
+if command -v gnuplot >/dev/null; then
+    expect 0 "$SCHULER" run plotted.yaml --plot p.svg --quiet
+    has p.svg "<svg"
+    has p.svg "accel.bias"
+    expect 0 "$SCHULER" run plotted.yaml --plot p.svg --rows groups
+    expect 0 "$SCHULER" run plotted.yaml --plot p.svg --without accel,gyro
+else
+    expect 3 "$SCHULER" run plotted.yaml --plot p.svg
+    has err "gnuplot is not installed"
+fi
+expect 2 "$SCHULER" run plotted.yaml --plot p.pdf
 no_partial
 
 # Nowhere to write to.

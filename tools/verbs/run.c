@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* schuler run: simulate a scenario, print its error budget and verdict. */
 #include "tools/arguments.h"
-#include "tools/budget_table.h"
+#include "tools/budget_plot.h"
+#include "tools/gnuplot.h"
 #include "tools/messages.h"
 #include "tools/outfile.h"
 #include "tools/page.h"
@@ -15,7 +16,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { KEY_UNTIL = 256, KEY_ROWS };
+enum { KEY_UNTIL = 256, KEY_ROWS, KEY_PLOT };
 
 /* As schuler_rows. */
 static const char *const row_words[] = { "sources", "groups", "without", NULL };
@@ -25,6 +26,7 @@ static const struct argp_option options[] = {
     { "until", KEY_UNTIL, "PERCENT", 0, "more runs until the drift's 95% limits are within it", 0 },
     { "rows", KEY_ROWS, "WHAT", 0,
       "budget of sources (each alone), of groups, or of all without each source", 0 },
+    { "plot", KEY_PLOT, "FILE", 0, "draw the budget over time, .svg or .png (needs gnuplot)", 0 },
     { 0 },
 };
 
@@ -40,6 +42,10 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         return 0;
     case KEY_ROWS:
         a->rows = (schuler_rows)arguments_choice(state, "--rows", arg, row_words);
+        return 0;
+    case KEY_PLOT:
+        gnuplot_check(state, arg);
+        a->plot = arg;
         return 0;
     case KEY_UNTIL:
         if (schuler_quantity_parse(arg, (schuler_dim)SCHULER_DIM_NONE, &a->until, NULL) !=
@@ -102,6 +108,7 @@ static exit_code deliver(const schuler_result *result, const schuler_covariance 
     bool netcdf = false;
     if (a->directory) code = result_directory_write(dir, errors, result, linear, a, &netcdf);
     if (code == EXIT_DONE && a->json) code = json_write(result_json(result, linear), a->json);
+    if (code == EXIT_DONE && a->plot) code = budget_plot(a->plot, result, linear);
     if (code == EXIT_DONE && !json_on_stdout) code = print_result(result, linear, a, netcdf);
     return code == EXIT_DONE ? budget_exit(result) : code;
 }
@@ -129,7 +136,8 @@ static exit_code run(schuler_scenario *scenario, simulation_arguments *a)
     schuler_covariance *linear = NULL;
     schuler_truth *truth = NULL;
     if (code == EXIT_DONE) code = simulation_truth(scenario, a, &truth);
-    const bool is_shown = (!a->quiet || a->json || a->directory) && a->rows == SCHULER_ROWS_SOURCES;
+    const bool is_shown =
+        (!a->quiet || a->json || a->directory || a->plot) && a->rows == SCHULER_ROWS_SOURCES;
     if (code == EXIT_DONE && is_shown) code = simulate_linear(scenario, a, &linear);
     if (code == EXIT_DONE && linear && !a->quiet) announce(linear);
     if (code == EXIT_DONE && a->until > 0.0) code = until_runs(scenario, a);
