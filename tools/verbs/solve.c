@@ -91,7 +91,7 @@ static const char *value_of(const schuler_result *result, const char *id)
     return "";
 }
 
-static void put_answer(FILE *out, const answer *a, const schuler_requirement *required)
+static void put_answer(FILE *out, const answer *a)
 {
     char value[VALUE_MAX];
     fputs("  ", out);
@@ -112,7 +112,6 @@ static void put_answer(FILE *out, const answer *a, const schuler_requirement *re
         page_cell(out, "", 20);
     }
     fprintf(out, "x %.3g\n", a->solution.factor);
-    (void)required;
 }
 
 static exit_code print(const schuler_scenario *s, const answer *answers, size_t count,
@@ -128,7 +127,7 @@ static exit_code print(const schuler_scenario *s, const answer *answers, size_t 
     page_cell(p.out, "now", 22);
     fputs("may be\n", p.out);
     page_rule(p.out);
-    for (size_t i = 0; i < count; i++) put_answer(p.out, &answers[i], &s->requirement);
+    for (size_t i = 0; i < count; i++) put_answer(p.out, &answers[i]);
     return page_show(&p);
 }
 
