@@ -25,7 +25,6 @@ static schuler_status set_up(covariance_run *c, schuler_error *err)
         r->time_count = c->plan.reports;
         r->times_s = calloc(r->time_count, sizeof(double));
         r->total.rms_curve_m = calloc(r->time_count, sizeof(double));
-        r->steps = c->plan.steps;
         snprintf(r->total.id, sizeof r->total.id, "all");
     }
     bool complete =

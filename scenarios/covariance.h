@@ -30,7 +30,6 @@ typedef struct {
     size_t time_count;
     double *times_s;              /* report times, without 0: those of the simulation */
     schuler_covariance_row total; /* of the sources that are covered */
-    int64_t steps;
 } schuler_covariance;
 
 /** Given    options   truth, isa and stop are looked at

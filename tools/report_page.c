@@ -1,33 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* page.html with its {{words}} filled in. */
 #include "tools/report.h"
+#include "tools/xml.h"
 #include <string.h>
-
-/* Text as HTML has it, in an element or an attribute. */
-static void put_text(FILE *out, const char *text)
-{
-    for (; text && *text; text++) {
-        switch (*text) {
-        case '<':
-            fputs("&lt;", out);
-            break;
-        case '>':
-            fputs("&gt;", out);
-            break;
-        case '&':
-            fputs("&amp;", out);
-            break;
-        case '"':
-            fputs("&quot;", out);
-            break;
-        case '\'':
-            fputs("&#39;", out);
-            break;
-        default:
-            fputc(*text, out);
-        }
-    }
-}
 
 static const schuler_embedded *file_of(const char *name, size_t length)
 {
@@ -46,11 +21,11 @@ static bool put_word(FILE *out, const report_parts *p, const char *word, size_t 
     if (file)
         fwrite(file->text, 1, file->length, out);
     else if (strcmp(name, "title") == 0)
-        put_text(out, json_string_value(json_object_get(scenario, "name")));
+        xml_text(out, json_string_value(json_object_get(scenario, "name")));
     else if (strcmp(name, "sha256") == 0)
-        put_text(out, json_string_value(json_object_get(scenario, name)));
+        xml_text(out, json_string_value(json_object_get(scenario, name)));
     else if (strcmp(name, "scenario") == 0)
-        put_text(out, p->scenario);
+        xml_text(out, p->scenario);
     else if (strcmp(name, "result") == 0)
         return report_put_json(out, p->result, 17);
     else if (strcmp(name, "curves") == 0)
@@ -58,7 +33,7 @@ static bool put_word(FILE *out, const report_parts *p, const char *word, size_t 
     else if (json_is_integer(value)) /* a seed may have more digits than a script's numbers */
         fprintf(out, "%llu", (unsigned long long)json_integer_value(value));
     else
-        put_text(out, json_string_value(value));
+        xml_text(out, json_string_value(value));
     return true;
 }
 

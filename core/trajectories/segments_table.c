@@ -262,31 +262,19 @@ const schuler_object schuler_segment_polynomial = {
     .fields = polynomial_fields,
 };
 
-const segment_kind schuler_segment_kinds[] = {
-    { &schuler_segment_hold, segment_hold },
-    { &schuler_segment_cruise, segment_hold },
-    { &schuler_segment_accelerate, segment_accelerate },
-    { &schuler_segment_climb, segment_climb },
-    { &schuler_segment_turn, segment_turn },
-    { &schuler_segment_s_turn, segment_s_turn },
-    { &schuler_segment_orbit, segment_orbit },
-    { &schuler_segment_pull, segment_pull },
-    { &schuler_segment_loop, segment_loop },
-    { &schuler_segment_yaw, segment_yaw },
-    { &schuler_segment_pitch, segment_pitch },
-    { &schuler_segment_roll, segment_roll },
-    { &schuler_segment_stop_and_go, segment_stop_and_go },
-    { &schuler_segment_polynomial, segment_polynomial },
-    { NULL, NULL },
-};
+/* Every manoeuvre and who flies it. */
+/* clang-format off */
+#define SEGMENTS(X)                                                                             \
+    X(hold, hold) X(cruise, hold) X(accelerate, accelerate) X(climb, climb) X(turn, turn)       \
+    X(s_turn, s_turn) X(orbit, orbit) X(pull, pull) X(loop, loop) X(yaw, yaw) X(pitch, pitch)   \
+    X(roll, roll) X(stop_and_go, stop_and_go) X(polynomial, polynomial)
+#define KIND(NAME, FLIER) { &schuler_segment_##NAME, segment_##FLIER },
+#define VARIANT(NAME, FLIER) &schuler_segment_##NAME,
+/* clang-format on */
 
-static const schuler_object *const variants[] = {
-    &schuler_segment_hold,        &schuler_segment_cruise,     &schuler_segment_accelerate,
-    &schuler_segment_climb,       &schuler_segment_turn,       &schuler_segment_s_turn,
-    &schuler_segment_orbit,       &schuler_segment_pull,       &schuler_segment_loop,
-    &schuler_segment_yaw,         &schuler_segment_pitch,      &schuler_segment_roll,
-    &schuler_segment_stop_and_go, &schuler_segment_polynomial, NULL,
-};
+const segment_kind schuler_segment_kinds[] = { SEGMENTS(KIND){ NULL, NULL } };
+
+static const schuler_object *const variants[] = { SEGMENTS(VARIANT) NULL };
 
 static const schuler_field start_fields[] = {
     FIELD_LATITUDE(schuler_start, lat_rad),

@@ -149,9 +149,10 @@ static void random_errors_spread_as_in_the_simulation(void **state)
 }
 
 /* A self-alignment answers to every error by the aligner itself, so its attitude and what the errors do
- * afterwards stay in balance in the same way. Fixed errors: the heading is off by 2e-3 rad, whose square
- * leaves up to 0.8 m of the 170 km flown; processes to four sigma of 500 runs. Turned after the alignment, so
- * that what had cancelled shows. */
+ * afterwards stay in balance in the same way. Fixed errors, to the second order: the heading is off by 2.1e-3
+ * rad, whose square leaves 0.75 m of the 170 km flown, and d^2/R of a displacement of 1.3 km is 0.27 m: 1.0 m
+ * together, and a fifth. Processes to four sigma of 500 runs. Turned after the alignment, so that what had
+ * cancelled shows. */
 static void a_self_alignment_carries_over(void **state)
 {
     (void)state;
@@ -181,7 +182,7 @@ static void a_self_alignment_carries_over(void **state)
         print_message(
             "%-20s %9.3f m, off by %.2g\n", c->rows[i].id, hypot(at->r_n[0], at->r_n[1]),
             hypot(c->rows[i].mean_n_m[0] - at->r_n[0], c->rows[i].mean_n_m[1] - at->r_n[1]));
-        for (int k = 0; k < 2; k++) CHECK_NEAR(c->rows[i].mean_n_m[k], at->r_n[k], 2.0);
+        for (int k = 0; k < 2; k++) CHECK_NEAR(c->rows[i].mean_n_m[k], at->r_n[k], 1.2);
     }
     schuler_covariance_free(c);
     schuler_scenario_free(s);

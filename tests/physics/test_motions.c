@@ -3,34 +3,13 @@
  * rows D5 to D8. The reference gives them for a frame that does not turn; here it stands on the earth, so
  * the earth's rate is taken off: its part is integrated from the truth's own attitude, whose error of 1e-16
  * counts times 7e-5. */
-#include "core/truth.h"
-#include "mission.h"
+#include "true_motion.h"
 
 #define IMU "imu: {rate: 100 Hz, accel: {model: linear}, gyro: {model: linear}}\n"
 #define MOTION(keys)                                                                               \
     "scenario: m\ntrajectory: {kind: motion, for: 2 min, start: {lat: 45 deg, lon: 7 deg}, " keys  \
     "}\n" IMU
 #define FULL_TURN (2.0 * SCHULER_PI)
-
-typedef struct {
-    schuler_scenario *scenario;
-    schuler_truth *truth;
-} motion;
-
-static motion start(const char *text)
-{
-    motion m = { .scenario = mission_text(text) };
-    assert_int_equal(
-        schuler_truth_create(&m.truth, &m.scenario->path, 0.01, "wgs84", "wgs84", NULL),
-        SCHULER_OK);
-    return m;
-}
-
-static void end(motion *m)
-{
-    schuler_truth_free(m->truth);
-    schuler_scenario_free(m->scenario);
-}
 
 /* Earth rate in body axes integrated over step k: five-point Gauss-Legendre on C_e_b z. */
 static schuler_vec3 earth_part(const motion *m, int64_t k)
@@ -67,7 +46,7 @@ static void step(const motion *m, int64_t k, double dtheta[3], double dv[3])
 static void coning_is_exact(void **state)
 {
     (void)state;
-    motion m = start(MOTION("coning: {half_angle: 1 deg, frequency: 5 Hz}"));
+    motion m = motion_start(MOTION("coning: {half_angle: 1 deg, frequency: 5 Hz}"));
     double dtheta[3], dv[3];
     step(&m, 10, dtheta, dv); /* D6: 0.10 .. 0.11 s */
     CHECK_NEAR(dtheta[0], 0.000854181570073543, 2e-15);
@@ -81,13 +60,14 @@ static void coning_is_exact(void **state)
         CHECK_NEAR(dtheta[1], sin(a) * (sin(x2) - sin(x1)), 5e-15);
         CHECK_NEAR(dtheta[2], -W * (1.0 - cos(a)) * 0.01, 5e-15);
     }
-    end(&m);
+    motion_end(&m);
 }
 
 static void spin_cone_is_exact(void **state)
 {
     (void)state;
-    motion m = start(MOTION("spin_cone: {spin: 1 rad/s, precession: 0.1 rad/s, cone: 45 deg}"));
+    motion m =
+        motion_start(MOTION("spin_cone: {spin: 1 rad/s, precession: 0.1 rad/s, cone: 45 deg}"));
     double dtheta[3], dv[3];
     step(&m, 1000, dtheta, dv); /* D7b */
     CHECK_NEAR(dtheta[0], 0.01, 2e-15);
@@ -102,7 +82,7 @@ static void spin_cone_is_exact(void **state)
     CHECK_NEAR(C.m[0][0], 0.38205142437009, 1e-13); /* D7c */
     CHECK_NEAR(C.m[0][1], -0.783922674591793, 1e-13);
     CHECK_NEAR(C.m[0][2], -0.489389363797004, 1e-13);
-    end(&m);
+    motion_end(&m);
 }
 
 /* Specific force less gravity and Coriolis is (0, D sin wt, 0) in body axes, and after whole cycles the
@@ -110,10 +90,10 @@ static void spin_cone_is_exact(void **state)
 static void sculling_is_exact(void **state)
 {
     (void)state;
-    motion m = start(MOTION("sculling: {angle: 10 mrad, force: 10 m/s^2, frequency: 4 Hz}"));
-    motion still =
-        start("scenario: m\ntrajectory: {kind: static, for: 2 min, start: {lat: 45 deg, lon: 7 "
-              "deg}}\n" IMU);
+    motion m = motion_start(MOTION("sculling: {angle: 10 mrad, force: 10 m/s^2, frequency: 4 Hz}"));
+    motion still = motion_start(
+        "scenario: m\ntrajectory: {kind: static, for: 2 min, start: {lat: 45 deg, lon: 7 "
+        "deg}}\n" IMU);
     const double A = 0.01, D = 10.0, W = FULL_TURN * 4.0;
     double dtheta[3], dv[3];
     /* The first step: the vehicle has hardly moved yet, gravity is that of the start turned by roll. */
@@ -138,15 +118,15 @@ static void sculling_is_exact(void **state)
         const schuler_vec3 v_n = schuler_mat3_apply_transposed(&at_rest.C_n_e, at.v_e);
         CHECK_REL(v_n.v[2], 0.0499993750026042 * 0.25 * cycles, 1e-11);
     }
-    end(&m);
-    end(&still);
+    motion_end(&m);
+    motion_end(&still);
 }
 
 /* D5, D5b: constant for ever, and the longitude grows in proportion. */
 static void a_flight_along_a_parallel_is_steady(void **state)
 {
     (void)state;
-    motion m = start(
+    motion m = motion_start(
         "scenario: m\ntrajectory: {kind: motion, for: 2 h, start: {lat: 45 deg, lon: 170 deg, "
         "height: 10 km}, parallel: {speed: 250 m/s}}\n" IMU);
     schuler_truth_block block;
@@ -167,7 +147,7 @@ static void a_flight_along_a_parallel_is_steady(void **state)
                0.0, 1e-14);
     CHECK_NEAR(at.llh.lat_rad, 45.0 * SCHULER_RAD_PER_DEG, 1e-15);
     CHECK_NEAR(at.llh.h_m, 1e4, 2e-9);
-    end(&m);
+    motion_end(&m);
 }
 
 /* A constant rate relative to the earth: what is left of the increments is the rate times the step. A
@@ -175,8 +155,8 @@ static void a_flight_along_a_parallel_is_steady(void **state)
 static void constant_rates_are_constant(void **state)
 {
     (void)state;
-    motion m = start(MOTION("constant_rate: {x: 0.3 rad/s, y: -0.2 rad/s, z: 0.5 rad/s}"));
-    motion table = start(
+    motion m = motion_start(MOTION("constant_rate: {x: 0.3 rad/s, y: -0.2 rad/s, z: 0.5 rad/s}"));
+    motion table = motion_start(
         "scenario: m\ntrajectory: {kind: motion, for: 2 min, start: {lat: 45 deg, lon: 7 deg, "
         "pitch: 30 deg}, turntable: {rate: 20 deg/s}}\n" IMU);
     double dtheta[3], dv[3];
@@ -192,8 +172,8 @@ static void constant_rates_are_constant(void **state)
         CHECK_NEAR(dtheta[2], part * cos(30.0 * SCHULER_RAD_PER_DEG), 2e-15);
         CHECK_NEAR(dv[0], 0.01 * 9.80619776937738 * sin(30.0 * SCHULER_RAD_PER_DEG), 1e-12);
     }
-    end(&m);
-    end(&table);
+    motion_end(&m);
+    motion_end(&table);
 }
 
 static double closing_m(const char *text)

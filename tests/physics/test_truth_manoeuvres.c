@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Manoeuvres in the vertical plane, turns of the body, series of manoeuvres and polynomials. */
-#include "core/truth.h"
-#include "mission.h"
+#include "true_motion.h"
 
 #define DEG SCHULER_RAD_PER_DEG
 #define G0  SCHULER_G0_MPS2
@@ -11,26 +10,6 @@
     "scenario: m\ntrajectory: {kind: segments, start: {" start "}, segments: [" segments "]}\n"    \
     "imu: {rate: 100 Hz, accel: {model: linear}, gyro: {model: linear}}\n"
 #define HIGH "lat: 45 deg, lon: 7 deg, height: 5 km, heading: 30 deg, speed: 200 m/s"
-
-typedef struct {
-    schuler_scenario *scenario;
-    schuler_truth *truth;
-} motion;
-
-static motion start(const char *text)
-{
-    motion m = { .scenario = mission_text(text) };
-    assert_int_equal(
-        schuler_truth_create(&m.truth, &m.scenario->path, 0.01, "wgs84", "wgs84", NULL),
-        SCHULER_OK);
-    return m;
-}
-
-static void end(motion *m)
-{
-    schuler_truth_free(m->truth);
-    schuler_scenario_free(m->scenario);
-}
 
 static schuler_truth_state state_at(const motion *m, double t_s)
 {
@@ -69,8 +48,8 @@ static double trapezoid(double change, double ramp_s, double plateau_s, double t
 static void a_pull_bends_the_path_by_its_acceleration(void **state)
 {
     (void)state;
-    motion m =
-        start(FLIGHT(HIGH, "pull: {to: 50 deg, at: 3 g, jerk: 30 m/s^3}, hold: {for: 10 s}"));
+    motion m = motion_start(
+        FLIGHT(HIGH, "pull: {to: 50 deg, at: 3 g, jerk: 30 m/s^3}, hold: {for: 10 s}"));
     const double rate = 3.0 * G0 / 200.0, ramp_s = RAMP_S(3.0 * G0, 30.0);
     const double plateau_s = 50.0 * DEG / rate - ramp_s, T_s = 2.0 * ramp_s + plateau_s;
     CHECK_NEAR(duration_s(&m), T_s + 10.0, 1e-8);
@@ -95,14 +74,14 @@ static void a_pull_bends_the_path_by_its_acceleration(void **state)
     const schuler_vec3 f = force_at(&m, t_s);
     CHECK_NEAR(f.v[2], -(3.0 * G0 + 9.79 * cos(25.0 * DEG)), 0.06);
     CHECK_NEAR(f.v[1], 0.0, 0.035);
-    end(&m);
+    motion_end(&m);
 }
 
 /* The path angle is symmetric about the top, so height comes back; on top gravity helps. */
 static void a_loop_returns_to_its_height_and_heading(void **state)
 {
     (void)state;
-    motion m = start(FLIGHT(HIGH, "loop: {at: 6 g, jerk: 60 m/s^3}, hold: {for: 5 s}"));
+    motion m = motion_start(FLIGHT(HIGH, "loop: {at: 6 g, jerk: 60 m/s^3}, hold: {for: 5 s}"));
     const double ramp_s = RAMP_S(6.0 * G0, 60.0), rate = 6.0 * G0 / 200.0;
     const double T_s = 360.0 * DEG / rate + ramp_s;
     CHECK_NEAR(duration_s(&m), T_s + 5.0, 1e-8);
@@ -116,14 +95,15 @@ static void a_loop_returns_to_its_height_and_heading(void **state)
     CHECK_NEAR(s.pitch_rad, 0.0, 1e-13);
     CHECK_NEAR(force_at(&m, 0.5 * T_s).v[2], -(6.0 * G0 - 9.79), 0.06);
     CHECK_NEAR(force_at(&m, duration_s(&m) - 1.0).v[2], -9.79, 0.06);
-    end(&m);
+    motion_end(&m);
 }
 
 /* Half a loop and half a roll: the other way, upright, higher. And down again by a split-S. */
 static void half_loops_and_half_rolls_turn_round(void **state)
 {
     (void)state;
-    motion m = start(FLIGHT(HIGH, "loop: {by: 180 deg, at: 4 g}, hold: {for: 2 s}, roll: {by: 180 "
+    motion m =
+        motion_start(FLIGHT(HIGH, "loop: {by: 180 deg, at: 4 g}, hold: {for: 2 s}, roll: {by: 180 "
                                   "deg, rate: 90 deg/s, acceleration: 900 deg/s^2}, "
                                   "hold: {for: 2 s}, roll: {by: -180 deg, rate: 90 deg/s, "
                                   "acceleration: 900 deg/s^2}, loop: {by: -180 deg, at: 4 "
@@ -145,14 +125,14 @@ static void half_loops_and_half_rolls_turn_round(void **state)
     CHECK_NEAR(s.llh.h_m, 5000.0, 1e-7); /* down by the same bend */
     CHECK_NEAR(s.heading_rad, 30.0 * DEG, 1e-12);
     CHECK_NEAR(remainder(s.roll_rad, 2.0 * SCHULER_PI), 0.0, 1e-12);
-    end(&m);
+    motion_end(&m);
 }
 
 static void the_body_turns_and_the_path_does_not(void **state)
 {
     (void)state;
-    motion still = start(FLIGHT(HIGH, "hold: {for: 60 s}"));
-    motion m = start(FLIGHT(
+    motion still = motion_start(FLIGHT(HIGH, "hold: {for: 60 s}"));
+    motion m = motion_start(FLIGHT(
         HIGH,
         "roll: {by: 720 deg, rate: 300 deg/s, acceleration: 1500 deg/s^2}, pitch: {by: 8 deg, "
         "rate: 4 deg/s}, yaw: {by: -3 deg, rate: 2 deg/s}, hold: {for: 50 s}"));
@@ -173,14 +153,15 @@ static void the_body_turns_and_the_path_does_not(void **state)
     CHECK_NEAR(s.pitch_rad, 8.0 * DEG, 1e-13);
     CHECK_NEAR(s.heading_rad, 27.0 * DEG, 1e-13);
     CHECK_NEAR(remainder(s.roll_rad, 2.0 * SCHULER_PI), 0.0, 1e-13);
-    end(&still);
-    end(&m);
-    m = start(FLIGHT("lat: 45 deg, lon: 7 deg, heading: 350 deg",
-                     "yaw: {by: 40 deg, rate: 10 deg/s}, accelerate: {to: 5 m/s, at: 1 m/s^2}"));
+    motion_end(&still);
+    motion_end(&m);
+    m = motion_start(
+        FLIGHT("lat: 45 deg, lon: 7 deg, heading: 350 deg",
+               "yaw: {by: 40 deg, rate: 10 deg/s}, accelerate: {to: 5 m/s, at: 1 m/s^2}"));
     const schuler_truth_state goes = state_at(&m, duration_s(&m));
     CHECK_NEAR(goes.heading_rad, 30.0 * DEG, 1e-13);
     CHECK_NEAR(atan2(goes.v_n.v[1], goes.v_n.v[0]), 30.0 * DEG, 1e-13);
-    end(&m);
+    motion_end(&m);
 }
 
 /* Along the equator a distance is the radius times the longitude. Accelerating and braking are symmetric, so
@@ -188,7 +169,8 @@ static void the_body_turns_and_the_path_does_not(void **state)
 static void stop_and_go_drives_and_stands(void **state)
 {
     (void)state;
-    motion m = start(FLIGHT("lat: 0 deg, lon: 0 deg, heading: 90 deg",
+    motion m =
+        motion_start(FLIGHT("lat: 0 deg, lon: 0 deg, heading: 90 deg",
                             "stop_and_go: {times: 3, speed: 15 m/s, at: 2 m/s^2, jerk: 1.5 m/s^3, "
                             "drive: 20 s, stop: 12 s}"));
     const double change_s = 15.0 / 2.0 + RAMP_S(2.0, 1.5), round_s = 2.0 * change_s + 32.0;
@@ -200,7 +182,7 @@ static void stop_and_go_drives_and_stands(void **state)
         CHECK_NEAR(schuler_vec3_norm(s.v_n), 0.0, 1e-14);
         CHECK_NEAR(s.llh.lon_rad * SCHULER_WGS84_A_M, (i + 1) * 15.0 * (change_s + 20.0), 1e-6);
     }
-    end(&m);
+    motion_end(&m);
 }
 
 static double heading_rate(const motion *m, double t_s)
@@ -213,25 +195,26 @@ static double heading_rate(const motion *m, double t_s)
 static void circles_have_their_radius(void **state)
 {
     (void)state;
-    motion m = start(FLIGHT(HIGH, "orbit: {turns: -2.5, radius: 6 km}"));
+    motion m = motion_start(FLIGHT(HIGH, "orbit: {turns: -2.5, radius: 6 km}"));
     const double bank = atan(200.0 * 200.0 / (6000.0 * G0)), rate = 200.0 / 6000.0;
     const double T_s = 5.0 * SCHULER_PI / rate + RAMP_S(tan(bank), 5.0 * DEG);
     CHECK_NEAR(duration_s(&m), T_s, 1e-8);
     CHECK_NEAR(heading_rate(&m, 0.5 * T_s), -rate, 1e-11);
     CHECK_NEAR(state_at(&m, 0.5 * T_s).roll_rad, -bank, 1e-9);
     CHECK_NEAR(state_at(&m, T_s).heading_rad, 210.0 * DEG, 1e-12);
-    end(&m);
+    motion_end(&m);
     /* Flat: no roll, and the sideways force is v^2/r; Coriolis at 8 m/s is 1e-3 m/s^2. */
-    m = start(FLIGHT("lat: 45 deg, lon: 7 deg, heading: 350 deg, speed: 8 m/s",
-                     "turn: {by: 200 deg, radius: 25 m, jerk: 2 m/s^3}"));
+    m = motion_start(FLIGHT("lat: 45 deg, lon: 7 deg, heading: 350 deg, speed: 8 m/s",
+                            "turn: {by: 200 deg, radius: 25 m, jerk: 2 m/s^3}"));
     const double across = 8.0 * 8.0 / 25.0, flat_s = 200.0 * DEG * 25.0 / 8.0 + RAMP_S(across, 2.0);
     CHECK_NEAR(duration_s(&m), flat_s, 1e-8);
     CHECK_NEAR(state_at(&m, 0.5 * flat_s).roll_rad, 0.0, 1e-13);
     CHECK_NEAR(heading_rate(&m, 0.5 * flat_s), 8.0 / 25.0, 1e-11);
     CHECK_NEAR(force_at(&m, 0.5 * flat_s).v[1], across, 2e-3);
     CHECK_NEAR(state_at(&m, flat_s).heading_rad, 190.0 * DEG, 1e-12);
-    end(&m);
-    m = start(FLIGHT(HIGH, "s_turn: {by: 40 deg, bank: 45 deg, roll_rate: 30 deg/s, times: 2}"));
+    motion_end(&m);
+    m = motion_start(
+        FLIGHT(HIGH, "s_turn: {by: 40 deg, bank: 45 deg, roll_rate: 30 deg/s, times: 2}"));
     const double quarter_s =
         40.0 * DEG / (G0 / 200.0) + RAMP_S(1.0, 30.0 * DEG); /* one of 40 deg, level to level */
     const double half_s = 80.0 * DEG / (G0 / 200.0) + RAMP_S(1.0, 30.0 * DEG);
@@ -240,7 +223,7 @@ static void circles_have_their_radius(void **state)
     CHECK_NEAR(state_at(&m, quarter_s + half_s).heading_rad, 350.0 * DEG, 1e-9);
     CHECK_NEAR(state_at(&m, quarter_s + 2.0 * half_s).heading_rad, 70.0 * DEG, 1e-9);
     CHECK_NEAR(state_at(&m, duration_s(&m)).heading_rad, 30.0 * DEG, 1e-13);
-    end(&m);
+    motion_end(&m);
 }
 
 /* The Bernstein polynomial by its definition, with binomials. */
@@ -257,7 +240,8 @@ static double bernstein(const double *points, int n, double x)
 static void polynomials_are_those_of_their_points(void **state)
 {
     (void)state;
-    motion m = start(FLIGHT(HIGH, "polynomial: {for: 80 s, speed: [150 m/s, 260 m/s, 240 m/s], "
+    motion m =
+        motion_start(FLIGHT(HIGH, "polynomial: {for: 80 s, speed: [150 m/s, 260 m/s, 240 m/s], "
                                   "path_angle: [20 deg, 0 deg], turn: 50 deg, roll: [30 deg, 0 "
                                   "deg]}, hold: {for: 1 s}"));
     static const double speed[] = { 200, 200, 200, 150, 260, 240, 240, 240 };
@@ -278,12 +262,12 @@ static void polynomials_are_those_of_their_points(void **state)
         }
         before_h_m = s.llh.h_m;
     }
-    end(&m);
-    m = start(FLIGHT(HIGH, "polynomial: {for: 60 s, height: [5500 m, 4000 m]}"));
+    motion_end(&m);
+    m = motion_start(FLIGHT(HIGH, "polynomial: {for: 60 s, height: [5500 m, 4000 m]}"));
     static const double height[] = { 5000, 5000, 5000, 5500, 4000, 4000, 4000 };
     for (int k = 0; k <= 60; k += 4)
         CHECK_NEAR(state_at(&m, k).llh.h_m, bernstein(height, 6, k / 60.0), 2e-9);
-    end(&m);
+    motion_end(&m);
 }
 
 /* Where two pieces meet, position, velocity, acceleration, attitude and rate are the same from both. What

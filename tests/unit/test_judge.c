@@ -117,10 +117,9 @@ static void no_requirement_is_no_verdict(void **state)
     CHECK_NEAR(out.value_mps, 0.0, 0.0);
 }
 
-/* 400 experiments of 100 runs with circular normal drifts: the 95 % limits hold the true CEP and 95th percentile
- * in so many of them. Order statistics cover at least what they promise (96.5 % and 95.x % here), the
- * bootstrap of the rms a little less; the sampling error of a share is 1.1 %, two of them: 93 to 97 and,
- * as the first is 96.5 by construction, 98.7 %. */
+/* 400 experiments of 100 runs with circular normal drifts: how often the 95 % limits hold the true statistic.
+ * Order statistics of 100 runs cover 96.5 % for the median by construction (reference, F7b), and no less than
+ * they promise for the 95th percentile; the sampling error of a share is 1.1 %, two of them either way. */
 static void limits_hold_the_truth_as_often_as_they_say(void **state)
 {
     (void)state;

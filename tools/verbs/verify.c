@@ -81,9 +81,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->files[a->count++] = arg;
         return 0;
     case ARGP_KEY_END:
-        if (a->count == 0) argp_error(state, "which scenario file?");
-        if (a->simulation.directory)
-            argp_error(state, "verify writes --json and --junit; -o belongs to run");
+        a->simulation.file = a->files[0];
+        simulation_need_file(&a->simulation, state, false);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
